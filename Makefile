@@ -1,0 +1,52 @@
+# A thin wrapper over CMake: every goal installs the Debian packages it lacks, configures and builds.
+BUILD ?= build
+SIZE  ?=
+JOBS  ?= $(shell nproc)
+
+.PHONY: all build figures test validate bench check-asan check-tsan check-clang check-valgrind \
+        check clean format
+
+all: build
+
+build:
+	@tools/install-packages packages.txt
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release >$(BUILD).configure.log 2>&1 \
+	    || { cat $(BUILD).configure.log; exit 1; }
+	@rm -f $(BUILD).configure.log
+	@cmake --build $(BUILD) -j $(JOBS)
+
+figures: build
+	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target figures
+
+figures-%: build
+	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target figures-$*
+
+validate: build
+	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target validate
+
+validate-%: build
+	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target validate-$*
+
+bench: build
+	@cmake --build $(BUILD) --target bench
+
+test: build
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+# The slower proofs: other compiler, sanitizers, valgrind. `make check` runs them all.
+check: check-clang check-asan check-tsan check-valgrind
+
+check-clang check-asan check-tsan:
+	@tools/install-packages packages.txt
+	@cmake --preset $(@:check-%=%) >/dev/null
+	@cmake --build --preset $(@:check-%=%) -j $(JOBS)
+	@ctest --preset $(@:check-%=%) -j $(JOBS)
+
+check-valgrind: build
+	@tests/valgrind $(BUILD)
+
+format:
+	@git ls-files '*.c' '*.h' | xargs clang-format -i
+
+clean:
+	@rm -rf build build-*
