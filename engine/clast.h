@@ -1,0 +1,368 @@
+/* clast.h - the public interface of the Clast discrete element engine.
+ *
+ * Rigid clumps of spheres, plane walls in moving or removable parts, contact laws with tangential
+ * history, the same bits for any number of threads. SI units everywhere: m, kg, s, N, J, rad.
+ *
+ *     clast_world_def def = clast_world_def_default();
+ *     def.gravity = (clast_vec3){0, 0, -9.81};
+ *     clast_world *w = clast_world_new(&def);
+ *     int glass = clast_material_add(w, &(clast_material_def){"glass", 2500, 70e9, 0.22});
+ *     clast_pair_set(w, glass, glass, &(clast_pair_def){.restitution = 0.9, .friction = 0.3});
+ *     int ball = clast_shape_add_sphere(w, "ball", 0.005, glass);
+ *     int floor = clast_part_add(w, &(clast_part_def){"floor"});
+ *     clast_wall_add(w, floor, &(clast_wall_def){"floor", CLAST_WALL_PLANE, glass,
+ *                                                .normal = {0, 0, 1}});
+ *     clast_body_add(w, &(clast_body_def){.shape = ball, .position = {0, 0, 0.1}});
+ *     if (clast_world_run(w, 1.0)) puts(clast_world_error(w));
+ *     clast_world_free(w);
+ *
+ * Failures come in three kinds. A broken promise of the caller (a null pointer, an index that was
+ * never handed out) stops the program with file and line. A definition that makes no physical sense
+ * (a negative mass) and a run that fails (a guard, a full disk) return a negative number or a
+ * clast_status other than CLAST_OK; clast_world_error() then says what, who, where and when.
+ *
+ * A00: M. H. Abbaspour-Fard, PhD thesis, University of Newcastle upon Tyne, 2000.
+ * S12: K. Samiei, PhD thesis, University of Luxembourg, 2012.
+ */
+#ifndef CLAST_H
+#define CLAST_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define CLAST_VERSION "0.1.0"
+
+typedef struct clast_vec3 {
+    double x, y, z;
+} clast_vec3;
+
+typedef struct clast_quat {
+    double w, x, y, z; /* unit quaternion, body frame to world frame; {0} is read as no rotation */
+} clast_quat;
+
+typedef struct clast_world clast_world;
+
+typedef enum clast_status {
+    CLAST_OK = 0,
+    CLAST_ERR_ARGUMENT, /* a definition out of its range */
+    CLAST_ERR_GUARD,    /* the run failed: see clast_world_error() */
+    CLAST_ERR_OPEN,     /* a file or folder cannot be opened */
+    CLAST_ERR_WRITE,    /* a file cannot be written in full: disk full, no permission */
+    CLAST_ERR_FORMAT,   /* a file is not what it should be */
+    CLAST_ERR_VERSION,  /* a file of another format version */
+    CLAST_ERR_MISMATCH  /* a checkpoint of another scene */
+} clast_status;
+
+/* ---- the world ------------------------------------------------------------------------------ */
+
+typedef enum clast_law {
+    CLAST_LAW_HERTZ_A00,     /* Hertz with pressure-dependent tangential stiffness, A00 1.8-1.10,
+                                1.14, 1.21; tangential spring incremental */
+    CLAST_LAW_HERTZ_MINDLIN, /* Hertz-Mindlin with Tsuji's damping, S12 2.41-2.46 */
+    CLAST_LAW_LINEAR         /* linear spring-dashpot, S12 2.15-2.23; stiffness from the pair */
+} clast_law;
+
+typedef enum clast_friction_limit {
+    CLAST_LIMIT_TOTAL, /* mu times spring and dashpot force, A00 1.72 */
+    CLAST_LIMIT_SPRING /* mu times the spring force alone, A00 1.73 */
+} clast_friction_limit;
+
+typedef enum clast_unloading {
+    CLAST_UNLOAD_RESCALE,   /* the tangential spring shrinks with its stiffness: no energy is made
+                               (Elata and Berryman); default */
+    CLAST_UNLOAD_AS_PRINTED /* A00 1.14 as printed: can create energy when the normal load falls */
+} clast_unloading;
+
+typedef enum clast_motion { CLAST_MOTION_3D, CLAST_MOTION_IN_PLANE } clast_motion;
+typedef enum clast_guard_mode { CLAST_GUARD_STOP, CLAST_GUARD_REPORT } clast_guard_mode;
+typedef enum clast_outside { CLAST_OUTSIDE_STOP, CLAST_OUTSIDE_REMOVE } clast_outside;
+typedef enum clast_isa { CLAST_ISA_AUTO, CLAST_ISA_BASELINE, CLAST_ISA_AVX2, CLAST_ISA_AVX512 } clast_isa;
+
+typedef struct clast_world_def {
+    clast_vec3 gravity;         /* m/s2 */
+    clast_law law;              /* one contact law per world */
+    clast_friction_limit limit; /* what the Coulomb limit is taken of */
+    clast_unloading unloading;  /* Hertz laws only */
+    clast_motion motion;        /* in-plane: no velocity along plane_axis, spin about it alone */
+    int plane_axis;             /* 0 x, 1 y, 2 z: normal of the plane of motion */
+    double global_damping;      /* 1/s, f of A00 1.81; >= 0 */
+
+    double time_step;          /* s; 0 asks for the smaller of the next two limits */
+    double rayleigh_fraction;  /* of the Rayleigh step, A00 1.28; in (0, 1] */
+    double contact_resolution; /* steps in the shortest expected contact; >= 5 */
+    double impact_speed;       /* m/s, fastest expected impact; 0 takes the fall through the domain */
+
+    clast_vec3 domain_min, domain_max; /* m; bodies stay inside */
+    clast_outside outside;             /* what happens to a body whose centre leaves the domain */
+
+    clast_guard_mode guards;   /* report is for stability experiments */
+    double max_overlap;        /* of the smaller radius of a contact; typical 0.05 */
+    double max_displacement;   /* of the smallest radius, in one step; typical 0.1 */
+    double max_residual;       /* of the energy put in; typical 0.05 */
+
+    double skin;    /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
+    int threads;    /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
+    clast_isa isa;  /* vector lanes of the contact kernel; never observable */
+    uint64_t seed;  /* the only source of randomness of a run */
+    uint32_t magic; /* set by clast_world_def_default(): catches a def that was built by hand */
+} clast_world_def;
+
+/* Hertz-Mindlin, 3-D, guards on, Rayleigh fraction 0.2, 30 steps per contact, domain +-10 m. */
+clast_world_def clast_world_def_default(void);
+
+/* NULL with a message in *error (a static string) when the definition is out of range. */
+clast_world *clast_world_new(const clast_world_def *def);
+const char *clast_world_new_error(void);
+void clast_world_free(clast_world *w);
+
+/* The last failure of this world in one or more lines; "" when there was none. */
+const char *clast_world_error(const clast_world *w);
+
+/* ---- what a scene is made of: every add returns an index >= 0, or -1 with clast_world_error() -- */
+
+typedef struct clast_material_def {
+    const char *name;
+    double density; /* kg/m3, > 0 */
+    double young;   /* Pa, > 0 */
+    double poisson; /* in (-1, 0.5) */
+} clast_material_def;
+
+int clast_material_add(clast_world *w, const clast_material_def *def);
+
+typedef struct clast_pair_def {
+    double restitution;       /* measured rebound of a single collision, in (0, 1] */
+    double friction;          /* Coulomb coefficient, >= 0 */
+    double cohesion;          /* N, C of A00 1.71 in the friction limit; >= 0 */
+    double stiffness;         /* N/m, linear law only; > 0 */
+    double tangential_ratio;  /* k_t / k_n, linear law only; 0 reads as 2/7 */
+} clast_pair_def;
+
+/* Every pair of materials that can touch must be set before the first step. */
+clast_status clast_pair_set(clast_world *w, int material_a, int material_b,
+                            const clast_pair_def *def);
+
+typedef struct clast_shape_def {
+    const char *name;
+    int material;
+    int spheres;                /* >= 1 */
+    const clast_vec3 *centre;   /* m, body frame: origin at the centre of mass, principal axes */
+    const double *radius;       /* m, > 0 */
+    double mass;                /* kg; 0 works it out from the density: spheres must not overlap */
+    clast_vec3 inertia;         /* kg m2, principal; {0} works it out likewise */
+    int outline_points;         /* target profile for drawing, may be 0 */
+    const double *outline;      /* m, outline_points pairs (x, z) in the body frame */
+} clast_shape_def;
+
+int clast_shape_add(clast_world *w, const clast_shape_def *def);
+int clast_shape_add_sphere(clast_world *w, const char *name, double radius, int material);
+
+/* Element spheres tangent to an ellipse of half axes a >= b (m) about the body x axis, by A00 2.2.2:
+ * the profile is cut in spheres + 1 chords of equal length and every inner point carries one sphere
+ * that touches the profile there (A00 2.3). centre[i] is along x from left to right.
+ * A00 Appendix E prints the result for a = 0.69 cm, b = 0.53 cm and 7 spheres. */
+clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre, double *radius);
+
+typedef struct clast_part_def {
+    const char *name;
+    clast_vec3 velocity;       /* m/s, constant while moving */
+    double move_from;          /* s */
+    double move_until;         /* s; 0 reads as never ending */
+    double removed_at;         /* s; 0 reads as never */
+} clast_part_def;
+
+int clast_part_add(clast_world *w, const clast_part_def *def);
+
+typedef enum clast_wall_kind {
+    CLAST_WALL_PLANE, /* infinite, material behind it: pushes along +normal */
+    CLAST_WALL_PLATE  /* rectangle without thickness, pushes from both sides, has edges and corners */
+} clast_wall_kind;
+
+typedef struct clast_wall_def {
+    const char *name;
+    clast_wall_kind kind;
+    int material;
+    clast_vec3 point;         /* m, a point of the plane, or the centre of the plate */
+    clast_vec3 normal;        /* any length > 0; normalised */
+    clast_vec3 side;          /* plate: direction of its first side, across the normal */
+    double half_side[2];      /* m, plate: half lengths along side and normal x side; > 0 */
+    clast_vec3 belt_velocity; /* m/s, surface velocity without motion (conveyor) */
+} clast_wall_def;
+
+int clast_wall_add(clast_world *w, int part, const clast_wall_def *def);
+
+typedef struct clast_body_def {
+    int shape;
+    clast_vec3 position;     /* m, centre of mass */
+    clast_quat orientation;
+    clast_vec3 velocity;     /* m/s */
+    clast_vec3 spin;         /* rad/s, world frame */
+} clast_body_def;
+
+/* Returns the body's id: 0, 1, 2, ... in the order of adding, stable for the whole run. */
+int clast_body_add(clast_world *w, const clast_body_def *def);
+
+/* ---- running -------------------------------------------------------------------------------- */
+
+/* Checks the whole scene, picks kernel, time step and skin. Called by the first step if not before.
+ * Fails on missing pairs, on bodies that overlap each other or a wall by more than max_overlap, on
+ * bodies outside the domain; the message names all of them up to ten. */
+clast_status clast_world_prepare(clast_world *w);
+
+/* One time step; CLAST_ERR_GUARD when a guard stopped the run. */
+clast_status clast_world_step(clast_world *w);
+
+/* Steps until clast_world_time() >= time - dt/2. */
+clast_status clast_world_run(clast_world *w, double time);
+
+double clast_world_time(const clast_world *w);      /* s: step count times step, never summed up */
+double clast_world_time_step(const clast_world *w); /* s */
+uint64_t clast_world_steps(const clast_world *w);
+
+/* Hash of the whole state (bodies by id, contacts by key, parts, clock): the same for any number of
+ * threads, skin, instruction set and after a restart. */
+uint64_t clast_world_hash(const clast_world *w);
+
+/* Changes the friction of a pair in a running world (A00 4.3.2.1 settles without friction). */
+clast_status clast_pair_set_friction(clast_world *w, int material_a, int material_b, double friction);
+
+/* ---- reading a world ------------------------------------------------------------------------- */
+
+/* Columns of the bodies in storage order, which changes when cells are sorted: identify by id.
+ * Velocities are those at the time of the positions. Valid until the next step. */
+typedef struct clast_bodies {
+    size_t count;
+    const uint32_t *id;
+    const int32_t *shape;
+    const double *x, *y, *z;              /* m */
+    const double *qw, *qx, *qy, *qz;      /* body to world */
+    const double *vx, *vy, *vz;           /* m/s */
+    const double *wx, *wy, *wz;           /* rad/s, world frame */
+    const double *mass;                   /* kg */
+} clast_bodies;
+
+clast_bodies clast_world_bodies(clast_world *w);
+
+/* Element spheres, grouped by body in the order of clast_bodies. */
+typedef struct clast_spheres {
+    size_t count;
+    const double *x, *y, *z, *radius; /* m */
+    const int32_t *body;              /* index into clast_bodies, not an id */
+} clast_spheres;
+
+clast_spheres clast_world_spheres(clast_world *w);
+
+/* Contacts that touch now. a < b are body ids; b = CLAST_WALL_ID + wall index for walls. */
+#define CLAST_WALL_ID 0x80000000u
+typedef struct clast_contact {
+    uint32_t a, b;
+    int32_t sphere_a, sphere_b; /* index in the shape; sphere_b is 0 for walls */
+    double overlap;             /* m */
+    clast_vec3 point;           /* m */
+    clast_vec3 force;           /* N, on a */
+    double normal_force;        /* N, compression positive, with damping */
+} clast_contact;
+
+/* Copies at most `room` contacts, sorted by (a, b, sphere_a, sphere_b); returns how many there are. */
+size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room);
+
+typedef struct clast_energy {
+    double kinetic, rotational;  /* J */
+    double gravity;              /* J, against the domain's lowest corner, bodies present */
+    double elastic;              /* J, in contacts */
+    double damping, friction;    /* J, dissipated so far in dashpots and by sliding */
+    double global;               /* J, dissipated so far by global damping */
+    double wall_work;            /* J, done so far by moving walls on the bodies */
+    double removed;              /* J, carried off by bodies that left */
+    double input;                /* J, energy put in: start above the lowest state reached, and work */
+    double residual;             /* J, what the sum misses; an error of integration */
+} clast_energy;
+
+clast_energy clast_world_energy(clast_world *w);
+
+typedef struct clast_part_load {
+    clast_vec3 force;  /* N, of the bodies on the part, now */
+    clast_vec3 torque; /* N m, about the world origin */
+    double work;       /* J, done by the part on the bodies so far */
+} clast_part_load;
+
+clast_part_load clast_world_part_load(clast_world *w, int part);
+bool clast_world_part_present(const clast_world *w, int part);
+clast_vec3 clast_world_part_offset(const clast_world *w, int part); /* m, moved so far */
+
+/* Names and counts, for output and drawing. */
+int clast_world_shape_count(const clast_world *w);
+int clast_world_part_count(const clast_world *w);
+int clast_world_wall_count(const clast_world *w);
+int clast_world_material_count(const clast_world *w);
+clast_shape_def clast_world_shape(const clast_world *w, int shape); /* with mass and inertia */
+clast_part_def clast_world_part(const clast_world *w, int part);
+clast_wall_def clast_world_wall(const clast_world *w, int wall);    /* as at t = 0, normalised */
+int clast_world_wall_part(const clast_world *w, int wall);
+const clast_world_def *clast_world_definition(const clast_world *w); /* with automatic values filled in */
+
+/* ---- what the engine picked and what it cost --------------------------------------------------- */
+
+typedef struct clast_plan {
+    double time_step;            /* s, the one in use */
+    double rayleigh_step;        /* s, A00 1.28, smallest sphere */
+    double contact_time;         /* s, shortest contact at the expected speed */
+    double critical_step;        /* s, 2 / omega of the stiffest contact on the lightest body */
+    double impact_speed;         /* m/s, that the contact time was taken at */
+    double resolution;           /* contact_time / time_step */
+    double skin;                 /* m */
+    int threads;
+    const char *isa;             /* "baseline", "avx2", "avx512" */
+    const char *kernel;          /* what was specialised, in words */
+} clast_plan;
+
+clast_plan clast_world_plan(const clast_world *w);
+
+typedef struct clast_counters {
+    uint64_t steps, rebuilds;
+    size_t bodies, spheres, pairs, candidates, contacts; /* now */
+    double seconds_walls, seconds_neighbours, seconds_contacts, seconds_bodies, seconds_measure;
+    size_t bytes;                /* held by the engine now */
+    double overlap_max;          /* of the smaller radius, largest so far */
+    size_t removed;              /* bodies that left the domain */
+} clast_counters;
+
+clast_counters clast_world_counters(const clast_world *w);
+
+/* ---- files ------------------------------------------------------------------------------------ */
+
+/* Writes everything the next step depends on (HDF5), atomically: a temporary file, then a rename.
+ * `note` is a text of the caller that comes back on load (scene text, output clock); may be NULL. */
+clast_status clast_checkpoint_save(clast_world *w, const char *path, const char *note);
+
+/* Loads a state into a world that was built from the same scene and has not stepped yet: the run then
+ * goes on as if it had never stopped, to the bit. *note is malloc'ed for the caller; may be NULL. */
+clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note);
+
+/* Takes over bodies (with pose, velocity, spin) and the tangential history of their contacts from a
+ * checkpoint of another scene with the same shapes; the clock starts at zero. Wall contacts are matched
+ * by wall name. The world must not have bodies yet. */
+clast_status clast_checkpoint_inherit(clast_world *w, const char *path);
+
+/* One frame (bodies, element spheres, contacts if asked) as group "/" of a new HDF5 file, atomically. */
+clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts);
+
+/* ---- helpers that scenes and studies need, with the engine's own bits --------------------------- */
+
+/* Uniform in [0, 1): a pure function of (seed, stream, counter), Philox 4x32-10. */
+double clast_random(uint64_t seed, uint64_t stream, uint64_t counter);
+
+/* sin and cos without libm, the same bits on every machine; |angle| <= 1e5 rad. */
+void clast_sincos(double angle, double *sine, double *cosine);
+
+/* Rotation by `angle` about unit `axis`. */
+clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle);
+
+/* Damping ratio (c over critical, at the tangent stiffness) whose single collision, cut off where the
+ * contact force would pull, rebounds with restitution e in (0, 1]. Solved with GSL. */
+double clast_damping_ratio(clast_law law, double restitution);
+
+/* The restitution that a given damping ratio yields: inverse of the above. */
+double clast_restitution(clast_law law, double damping_ratio);
+
+#endif
