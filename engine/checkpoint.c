@@ -1,0 +1,577 @@
+/* checkpoint.c - saving a world and going on from there.
+ *
+ * At a step boundary a world is: positions at n, velocities at n - 1/2, contact histories with the
+ * forces at n, ledger, clock. Everything else (pair list, cells, skin, positions of walls) is derived
+ * or unobservable. The file also holds the scene as plain lines, so that a checkpoint of another scene
+ * is refused with the first line that differs, and the hash of the state, so that a damaged file is
+ * refused too. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/hdf5_io.h"
+#include "engine/world.h"
+
+enum { FORMAT_VERSION = 1 };
+#define FORMAT_NAME "clast checkpoint"
+
+enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };
+_Static_assert(sizeof(ledger) % sizeof(double) == 0, "the ledger is saved as a row of doubles");
+
+#define TYPE_OF(type) _Generic((type){0}, uint32_t: H5_U32, int32_t: H5_I32, double: H5_F64)
+
+/* What a file holds, before it is checked against a world. */
+typedef struct saved {
+    uint64_t step, hash, removed;
+    uint32_t next_id;
+    double dt, contact_dt, overlap_max, overlap_now;
+    body_store bodies; /* in the order of ids */
+    double *now[6];    /* velocity and spin at the time of the positions */
+    contact_record *records;
+    size_t record_count;
+    ledger ledger;
+    double *part_work; /* coarse, fine, total of each part */
+    size_t part_count;
+    char *scene, *wall_names;
+} saved;
+
+static const char *const NOW[] = {"/now/vx", "/now/vy", "/now/vz", "/now/wx", "/now/wy", "/now/wz"};
+
+/* ---- the scene in lines ---------------------------------------------------------------------------- */
+
+/* A text that grows; *all is malloc'ed and whole once it is closed. */
+static FILE *text_open(char **all) {
+    static size_t length; /* open_memstream wants a place for it; strlen() serves us */
+    FILE *t = open_memstream(all, &length);
+    CLAST_ASSERT(t);
+    return t;
+}
+
+static void text_close(FILE *t) { CLAST_ASSERT(fclose(t) == 0); }
+
+static void describe_world(FILE *t, const clast_world *w) {
+    const clast_world_def *d = &w->def;
+    fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
+    fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
+             (int)d->unloading);
+    fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
+    fprintf(t, "global damping %.17g\n", d->global_damping);
+    fprintf(t, "time step %.17g\n", w->dt);
+    fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
+             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
+             (int)d->outside);
+    fprintf(t, "seed %llu\n", (unsigned long long)d->seed);
+    fprintf(t, "bodies added %u\n", w->next_id);
+}
+
+static void describe_materials(FILE *t, const clast_world *w) {
+    for (int i = 0; i < w->material_count; i++)
+        fprintf(t, "material %s density %.17g young %.17g poisson %.17g\n", w->materials[i].name,
+                 w->materials[i].density, w->materials[i].young, w->materials[i].poisson);
+    for (int i = 0; i < w->material_count; i++)
+        for (int j = i; j < w->material_count; j++) {
+            const pair_coef *c = &w->coefs[i * w->material_count + j];
+            if (!c->set) continue;
+            fprintf(t, "pair %s %s restitution %.17g friction %.17g cohesion %.17g",
+                     w->materials[i].name, w->materials[j].name, c->restitution, c->friction,
+                     c->cohesion);
+            fprintf(t, " stiffness %.17g tangential %.17g\n", c->stiffness, c->tangential);
+        }
+}
+
+static void describe_shape(FILE *t, const clast_world *w, int index) {
+    const shape *s = &w->shapes[index];
+    fprintf(t, "shape %s material %s mass %.17g inertia %.17g %.17g %.17g spheres", s->name,
+             w->materials[s->material].name, s->mass, s->inertia.x, s->inertia.y, s->inertia.z);
+    for (int k = 0; k < s->spheres; k++)
+        fprintf(t, " (%.17g %.17g %.17g r %.17g)", s->centre[k].x, s->centre[k].y, s->centre[k].z,
+                 s->radius[k]);
+    fprintf(t, "\n");
+}
+
+static void describe_walls(FILE *t, const clast_world *w) {
+    for (int i = 0; i < w->part_count; i++) {
+        const clast_part_def *d = &w->parts[i].def;
+        fprintf(t, "part %s velocity %.17g %.17g %.17g from %.17g until %.17g removed %.17g\n",
+                 w->parts[i].name, d->velocity.x, d->velocity.y, d->velocity.z, d->move_from,
+                 d->move_until, d->removed_at);
+    }
+    for (int i = 0; i < w->wall_count; i++) {
+        const clast_wall_def *d = &w->walls[i].def;
+        fprintf(t, "wall %s kind %d part %s material %s point %.17g %.17g %.17g", w->walls[i].name,
+                 (int)d->kind, w->parts[w->walls[i].part].name, w->materials[d->material].name,
+                 d->point.x, d->point.y, d->point.z);
+        fprintf(t, " normal %.17g %.17g %.17g side %.17g %.17g %.17g half %.17g %.17g", d->normal.x,
+                 d->normal.y, d->normal.z, d->side.x, d->side.y, d->side.z, d->half_side[0],
+                 d->half_side[1]);
+        fprintf(t, " belt %.17g %.17g %.17g\n", d->belt_velocity.x, d->belt_velocity.y,
+                 d->belt_velocity.z);
+    }
+}
+
+/* What decides about motion and nothing else: neither guards nor threads nor output. */
+static char *describe_scene(const clast_world *w) {
+    char *all;
+    FILE *t = text_open(&all);
+    describe_world(t, w);
+    describe_materials(t, w);
+    for (int i = 0; i < w->shape_count; i++) describe_shape(t, w, i);
+    describe_walls(t, w);
+    text_close(t);
+    return all;
+}
+
+static char *names_of_walls(const clast_world *w) {
+    char *all;
+    FILE *t = text_open(&all);
+    for (int i = 0; i < w->wall_count; i++) fprintf(t, "%s\n", w->walls[i].name);
+    text_close(t);
+    return all;
+}
+
+/* ---- saving ---------------------------------------------------------------------------------------------- */
+
+/* Slots of the bodies that are there, in the order of their ids; malloc'ed. */
+static uint32_t *slots_by_id(const clast_world *w) {
+    uint32_t *slots = malloc((w->bodies.count + 1) * sizeof *slots);
+    CLAST_ASSERT(slots);
+    size_t n = 0;
+    for (uint32_t id = 0; id < w->next_id; id++)
+        if (w->slot_of_id[id] >= 0) slots[n++] = (uint32_t)w->slot_of_id[id];
+    CLAST_ASSERT(n == w->bodies.count);
+    return slots;
+}
+
+static void save_column(h5_file *f, const char *name, h5_type type, size_t size, const void *column,
+                        const uint32_t *slots, size_t count) {
+    const char *from = column;
+    char *sorted = malloc(count * size + 1);
+    CLAST_ASSERT(sorted);
+    for (size_t i = 0; i < count; i++) memcpy(sorted + i * size, from + slots[i] * size, size);
+    h5_write_column(f, name, type, count, sorted);
+    free(sorted);
+}
+
+static void save_bodies(h5_file *f, clast_world *w) {
+    const body_store *b = &w->bodies;
+    uint32_t *slots = slots_by_id(w);
+#define X(type, name) \
+    save_column(f, "/bodies/" #name, TYPE_OF(type), sizeof(type), b->name, slots, b->count);
+    BODY_COLUMNS(X)
+#undef X
+    clast_bodies v = clast_world_bodies(w);
+    const double *now[] = {v.vx, v.vy, v.vz, v.wx, v.wy, v.wz};
+    for (int i = 0; i < 6; i++) save_column(f, NOW[i], H5_F64, 8, now[i], slots, b->count);
+    free(slots);
+}
+
+/* One column of the records by its place in the struct. */
+static void save_field(h5_file *f, const char *name, h5_type type, size_t width, size_t offset,
+                       const record_list *r) {
+    size_t size = (type == H5_F64 ? 8 : 4) * width;
+    char *column = malloc(r->count * size + 1);
+    CLAST_ASSERT(column);
+    for (size_t i = 0; i < r->count; i++)
+        memcpy(column + i * size, (const char *)&r->items[i] + offset, size);
+    h5_write(f, name, type, width == 1 ? 1 : 2, (size_t[]){r->count, width}, column);
+    free(column);
+}
+
+#define RECORD_FIELDS(X)                            \
+    X(a, H5_U32, 1)                                 \
+    X(b, H5_U32, 1)                                 \
+    X(sphere_a, H5_I32, 1)                          \
+    X(sphere_b, H5_I32, 1)                          \
+    X(history.overlap, H5_F64, 1)                   \
+    X(history.spring, H5_F64, 3)                    \
+    X(history.force, H5_F64, 3)
+
+static void save_contacts(h5_file *f, clast_world *w) {
+    records_collect(w);
+#define X(field, type, width) \
+    save_field(f, "/contacts/" #field, type, width, offsetof(contact_record, field), &w->records);
+    RECORD_FIELDS(X)
+#undef X
+}
+
+static void save_parts(h5_file *f, const clast_world *w) {
+    double *work = malloc(((size_t)w->part_count * 3 + 1) * sizeof *work);
+    CLAST_ASSERT(work);
+    for (int i = 0; i < w->part_count; i++) {
+        const part *p = &w->parts[i];
+        work[3 * i] = p->work.coarse, work[3 * i + 1] = p->work.fine, work[3 * i + 2] = p->work_total;
+    }
+    h5_write(f, "/parts/work", H5_F64, 2, (size_t[]){(size_t)w->part_count, 3}, work);
+    free(work);
+}
+
+static void save_clock(h5_file *f, clast_world *w) {
+    h5_attribute_text(f, "/", "format", FORMAT_NAME);
+    h5_attribute_u64(f, "/", "version", FORMAT_VERSION);
+    h5_attribute_text(f, "/", "clast", CLAST_VERSION);
+    h5_attribute_u64(f, "/", "step", w->step);
+    h5_attribute_double(f, "/", "time", clast_world_time(w));
+    h5_attribute_double(f, "/", "time_step", w->dt);
+    h5_attribute_double(f, "/", "contact_time_step", w->contact_dt);
+    h5_attribute_u64(f, "/", "next_id", w->next_id);
+    h5_attribute_u64(f, "/", "removed", w->counters.removed);
+    h5_attribute_double(f, "/", "overlap_max", w->counters.overlap_max);
+    h5_attribute_double(f, "/", "overlap_now", w->overlap_now);
+    h5_attribute_u64(f, "/", "hash", clast_world_hash(w));
+}
+
+static void save_scene(h5_file *f, const clast_world *w, const char *note) {
+    char *scene = describe_scene(w), *walls = names_of_walls(w);
+    h5_write_text(f, "/scene", scene);
+    h5_write_text(f, "/walls", walls);
+    h5_write_text(f, "/note", note ? note : "");
+    free(scene);
+    free(walls);
+}
+
+clast_status clast_checkpoint_save(clast_world *w, const char *path, const char *note) {
+    CLAST_ASSERT(w && path && w->prepared);
+    double numbers[LEDGER_NUMBERS];
+    memcpy(numbers, &w->ledger, sizeof numbers);
+    h5_file *f = h5_create(path);
+    save_clock(f, w);
+    save_scene(f, w, note);
+    save_bodies(f, w);
+    save_contacts(f, w);
+    save_parts(f, w);
+    h5_write_column(f, "/ledger", H5_F64, LEDGER_NUMBERS, numbers);
+    clast_status status = h5_publish(f);
+    if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
+    h5_free(f);
+    return status;
+}
+
+/* ---- reading ----------------------------------------------------------------------------------------------- */
+
+static void check_format(h5_file *f, const char *path) {
+    char *format = h5_text_attribute(f, "/", "format");
+    if (h5_status(f) == CLAST_OK && strcmp(format, FORMAT_NAME) != 0)
+        h5_fail(f, CLAST_ERR_FORMAT, "%s: holds a '%s', expected a '%s'", path, format, FORMAT_NAME);
+    free(format);
+    uint64_t version = h5_u64_attribute(f, "/", "version");
+    if (h5_status(f) == CLAST_OK && version != FORMAT_VERSION)
+        h5_fail(f, CLAST_ERR_VERSION, "%s: format version %llu, this program reads version %d", path,
+                (unsigned long long)version, FORMAT_VERSION);
+}
+
+static void read_bodies(h5_file *f, saved *s) {
+    size_t n = s->bodies.count = h5_count(f, "/bodies/id");
+#define X(type, name)                                  \
+    s->bodies.name = calloc(n + 1, sizeof(type));      \
+    CLAST_ASSERT(s->bodies.name);                      \
+    h5_read(f, "/bodies/" #name, TYPE_OF(type), n, s->bodies.name);
+    BODY_COLUMNS(X)
+#undef X
+    for (int i = 0; i < 6; i++) {
+        s->now[i] = calloc(n + 1, sizeof(double));
+        CLAST_ASSERT(s->now[i]);
+        h5_read(f, NOW[i], H5_F64, n, s->now[i]);
+    }
+}
+
+static void read_field(h5_file *f, saved *s, const char *name, h5_type type, size_t width,
+                       size_t offset) {
+    size_t size = (type == H5_F64 ? 8 : 4) * width;
+    char *column = malloc(s->record_count * size + 1);
+    CLAST_ASSERT(column);
+    h5_read(f, name, type, s->record_count * width, column);
+    for (size_t i = 0; i < s->record_count; i++)
+        memcpy((char *)&s->records[i] + offset, column + i * size, size);
+    free(column);
+}
+
+static void read_contacts(h5_file *f, saved *s) {
+    s->record_count = h5_count(f, "/contacts/a");
+    s->records = calloc(s->record_count + 1, sizeof *s->records);
+    CLAST_ASSERT(s->records);
+#define X(field, type, width) \
+    read_field(f, s, "/contacts/" #field, type, width, offsetof(contact_record, field));
+    RECORD_FIELDS(X)
+#undef X
+}
+
+static void read_saved(h5_file *f, const char *path, saved *s) {
+    check_format(f, path);
+    s->step = h5_u64_attribute(f, "/", "step");
+    s->hash = h5_u64_attribute(f, "/", "hash");
+    s->removed = h5_u64_attribute(f, "/", "removed");
+    s->next_id = (uint32_t)h5_u64_attribute(f, "/", "next_id");
+    s->dt = h5_double_attribute(f, "/", "time_step");
+    s->contact_dt = h5_double_attribute(f, "/", "contact_time_step");
+    s->overlap_max = h5_double_attribute(f, "/", "overlap_max");
+    s->overlap_now = h5_double_attribute(f, "/", "overlap_now");
+    s->scene = h5_read_text(f, "/scene");
+    s->wall_names = h5_read_text(f, "/walls");
+    read_bodies(f, s);
+    read_contacts(f, s);
+    size_t numbers;
+    s->part_work = h5_read_all(f, "/parts/work", H5_F64, &numbers);
+    s->part_count = numbers / 3;
+    double values[LEDGER_NUMBERS];
+    h5_read(f, "/ledger", H5_F64, LEDGER_NUMBERS, values);
+    memcpy(&s->ledger, values, sizeof values);
+}
+
+static void saved_free(saved *s) {
+#define X(type, name) free(s->bodies.name);
+    BODY_COLUMNS(X)
+#undef X
+    for (int i = 0; i < 6; i++) free(s->now[i]);
+    free(s->records);
+    free(s->part_work);
+    free(s->scene);
+    free(s->wall_names);
+}
+
+/* ---- checking ------------------------------------------------------------------------------------------------ */
+
+static size_t line_length(const char *line) { return strcspn(line, "\n"); }
+
+/* Compares scene texts line by line; on a difference names both lines. */
+static clast_status compare_scenes(clast_world *w, const char *path, const char *theirs) {
+    char *ours = describe_scene(w);
+    const char *a = theirs, *b = ours;
+    while (*a && *b && line_length(a) == line_length(b) && strncmp(a, b, line_length(a)) == 0) {
+        a += line_length(a) + (a[line_length(a)] == '\n');
+        b += line_length(b) + (b[line_length(b)] == '\n');
+    }
+    clast_status status = *a || *b ? CLAST_ERR_MISMATCH : CLAST_OK;
+    if (status != CLAST_OK)
+        world_fail(w, status,
+                   "checkpoint %s belongs to another scene:\n  it has     %.*s\n  this scene %.*s", path,
+                   *a ? (int)line_length(a) : 7, *a ? a : "nothing",
+                   *b ? (int)line_length(b) : 7, *b ? b : "nothing");
+    free(ours);
+    return status;
+}
+
+/* Place of an id in the sorted column, or -1. */
+static ptrdiff_t place_of_id(const saved *s, uint32_t id) {
+    size_t from = 0, to = s->bodies.count;
+    while (from < to) {
+        size_t middle = from + (to - from) / 2;
+        if (s->bodies.id[middle] < id) from = middle + 1;
+        else to = middle;
+    }
+    return from < s->bodies.count && s->bodies.id[from] == id ? (ptrdiff_t)from : -1;
+}
+
+/* Numbers that are used as indices must be in range before anything is touched; the values themselves
+ * are proved by the hash. */
+static const char *fault_of_indices(const saved *s, int shape_count, uint32_t wall_count) {
+    for (size_t i = 0; i < s->bodies.count; i++) {
+        if (s->bodies.id[i] >= s->next_id) return "a body's id is out of range";
+        if (i > 0 && s->bodies.id[i] <= s->bodies.id[i - 1]) return "ids are not in order";
+        if (s->bodies.shape[i] < 0 || s->bodies.shape[i] >= shape_count)
+            return "a body has a shape that does not exist";
+    }
+    for (size_t i = 0; i < s->record_count; i++) {
+        const contact_record *r = &s->records[i];
+        if (place_of_id(s, r->a) < 0) return "a contact names a body that is not there";
+        bool with_wall = r->b >= CLAST_WALL_ID;
+        if (with_wall ? r->b - CLAST_WALL_ID >= wall_count : place_of_id(s, r->b) < 0)
+            return "a contact names a partner that is not there";
+    }
+    return NULL;
+}
+
+/* ---- loading --------------------------------------------------------------------------------------------------- */
+
+static void install_bodies(clast_world *w, const saved *s) {
+    body_store *b = &w->bodies;
+    size_t n = s->bodies.count;
+    body_reserve(w, n);
+    b->count = n;
+#define X(type, name) memcpy(b->name, s->bodies.name, n * sizeof(type));
+    BODY_COLUMNS(X)
+#undef X
+    CLAST_ASSERT(s->next_id == w->next_id && w->next_id <= w->slot_of_id_capacity);
+    for (uint32_t id = 0; id < w->next_id; id++) w->slot_of_id[id] = -1;
+    for (size_t i = 0; i < n; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
+}
+
+static void install_records(clast_world *w, const saved *s) {
+    records_reserve(w, s->record_count);
+    if (s->record_count > 0)
+        memcpy(w->records.items, s->records, s->record_count * sizeof *s->records);
+    w->records.count = s->record_count;
+    records_sort(w);
+}
+
+static void install(clast_world *w, const saved *s) {
+    w->step = s->step;
+    w->contact_dt = s->contact_dt;
+    w->ledger = s->ledger;
+    w->counters.removed = s->removed;
+    w->counters.overlap_max = s->overlap_max;
+    w->counters.contacts = s->record_count;
+    w->overlap_now = s->overlap_now;
+    for (int i = 0; i < w->part_count; i++) {
+        const double *work = &s->part_work[3 * i];
+        w->parts[i].work = (exact_sum){work[0], work[1]};
+        w->parts[i].work_total = work[2];
+    }
+    install_bodies(w, s);
+    install_records(w, s);
+    walls_move(w);
+    pairs_rebuild(w);
+    contacts_restore(w);
+    w->view.valid = false;
+    w->failure.failed = false;
+}
+
+static clast_status check_and_install(clast_world *w, const char *path, const saved *s) {
+    clast_status status = compare_scenes(w, path, s->scene);
+    if (status != CLAST_OK) return status;
+    const char *fault = fault_of_indices(s, w->shape_count, (uint32_t)w->wall_count);
+    if (!fault && s->part_count != (size_t)w->part_count) fault = "parts are missing";
+    if (fault)
+        return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
+    install(w, s);
+    uint64_t hash = clast_world_hash(w);
+    if (hash != s->hash)
+        return world_fail(w, CLAST_ERR_FORMAT,
+                          "checkpoint %s is damaged: the state has hash 0x%016llx, saved was 0x%016llx",
+                          path, (unsigned long long)hash, (unsigned long long)s->hash);
+    return CLAST_OK;
+}
+
+/* Opens and reads; on failure the world holds the message. */
+static clast_status read_file(clast_world *w, const char *path, saved *s, char **note) {
+    h5_file *f = h5_open(path);
+    read_saved(f, path, s);
+    char *text = h5_read_text(f, "/note");
+    clast_status status = h5_status(f);
+    if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
+    h5_free(f);
+    if (note && status == CLAST_OK) *note = text;
+    else free(text);
+    return status;
+}
+
+clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note) {
+    CLAST_ASSERT(w && path && w->step == 0);
+    if (note) *note = NULL;
+    clast_status status = w->prepared ? CLAST_OK : clast_world_prepare(w);
+    if (status != CLAST_OK) return status;
+    saved s = {0};
+    char *text = NULL;
+    status = read_file(w, path, &s, &text);
+    if (status == CLAST_OK) status = check_and_install(w, path, &s);
+    saved_free(&s);
+    if (note && status == CLAST_OK) *note = text;
+    else free(text);
+    return status;
+}
+
+/* ---- inheriting --------------------------------------------------------------------------------------------------- */
+
+/* The start of the line of `text` that begins with `head`, or NULL. */
+static const char *line_of(const char *all, const char *head) {
+    for (const char *line = all; *line; line += line_length(line) + (line[line_length(line)] == '\n'))
+        if (strncmp(line, head, strlen(head)) == 0) return line;
+    return NULL;
+}
+
+/* Shapes of the file in its order, by their index in this world; -1 where there is none alike. */
+static int *match_shapes(clast_world *w, const saved *s, int *count) {
+    *count = 0;
+    for (const char *line = s->scene; (line = line_of(line, "shape ")); line += line_length(line))
+        ++*count;
+    int *match = malloc(((size_t)*count + 1) * sizeof *match);
+    CLAST_ASSERT(match);
+    const char *line = s->scene;
+    for (int k = 0; k < *count; k++, line += line_length(line)) {
+        line = line_of(line, "shape ");
+        match[k] = -1;
+        for (int i = 0; i < w->shape_count; i++) {
+            char *ours;
+            FILE *t = text_open(&ours);
+            describe_shape(t, w, i);
+            text_close(t);
+            if (line_length(ours) == line_length(line) && !strncmp(ours, line, line_length(line)))
+                match[k] = i;
+            free(ours);
+        }
+    }
+    return match;
+}
+
+/* Index in this world of the file's index-th wall, by name; -1 where there is none. */
+static int match_wall(const clast_world *w, const saved *s, uint32_t index) {
+    const char *line = s->wall_names;
+    for (; index > 0 && *line; index--) line += line_length(line) + (line[line_length(line)] == '\n');
+    size_t length = line_length(line);
+    for (int i = 0; i < w->wall_count; i++)
+        if (strlen(w->walls[i].name) == length && strncmp(w->walls[i].name, line, length) == 0)
+            return i;
+    return -1;
+}
+
+static uint32_t count_lines(const char *all) {
+    uint32_t n = 0;
+    for (; *all; all++) n += *all == '\n';
+    return n;
+}
+
+static clast_status inherit_bodies(clast_world *w, const char *path, const saved *s,
+                                   const int *shape_of) {
+    const body_store *b = &s->bodies;
+    for (size_t i = 0; i < b->count; i++) {
+        int shape_index = shape_of[b->shape[i]];
+        if (shape_index < 0)
+            return world_fail(w, CLAST_ERR_MISMATCH,
+                              "checkpoint %s: body %u has a shape that this scene does not have, or has "
+                              "with other spheres, mass or material",
+                              path, b->id[i]);
+        clast_body_def def = {
+            .shape = shape_index,
+            .position = {b->x[i], b->y[i], b->z[i]},
+            .orientation = {b->qw[i], b->qx[i], b->qy[i], b->qz[i]},
+            .velocity = {s->now[0][i], s->now[1][i], s->now[2][i]},
+            .spin = {s->now[3][i], s->now[4][i], s->now[5][i]}};
+        if (clast_body_add(w, &def) < 0) return CLAST_ERR_FORMAT;
+    }
+    return CLAST_OK;
+}
+
+/* Contacts keep their springs: ids become 0, 1, 2, ... and walls are found by name. A contact with a
+ * wall that is not here ends. */
+static void inherit_contacts(clast_world *w, const saved *s) {
+    records_reserve(w, s->record_count);
+    w->records.count = 0;
+    for (size_t i = 0; i < s->record_count; i++) {
+        contact_record r = s->records[i];
+        bool with_wall = r.b >= CLAST_WALL_ID;
+        int wall_index = with_wall ? match_wall(w, s, r.b - CLAST_WALL_ID) : -1;
+        if (with_wall && wall_index < 0) continue;
+        r.a = (uint32_t)place_of_id(s, r.a);
+        r.b = with_wall ? CLAST_WALL_ID + (uint32_t)wall_index : (uint32_t)place_of_id(s, r.b);
+        w->records.items[w->records.count++] = r;
+    }
+    records_sort(w);
+}
+
+clast_status clast_checkpoint_inherit(clast_world *w, const char *path) {
+    CLAST_ASSERT(w && path && !w->prepared && w->bodies.count == 0);
+    saved s = {0};
+    clast_status status = read_file(w, path, &s, NULL);
+    if (status == CLAST_OK) {
+        int shapes;
+        int *shape_of = match_shapes(w, &s, &shapes);
+        const char *fault = fault_of_indices(&s, shapes, count_lines(s.wall_names));
+        if (fault)
+            status = world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
+        else
+            status = inherit_bodies(w, path, &s, shape_of);
+        if (status == CLAST_OK) inherit_contacts(w, &s);
+        free(shape_of);
+    }
+    saved_free(&s);
+    return status;
+}
