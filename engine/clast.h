@@ -325,6 +325,7 @@ typedef struct clast_counters {
     size_t bytes;                /* held by the engine now */
     double overlap_max;          /* of the smaller radius, largest so far */
     size_t removed;              /* bodies that left the domain */
+    uint64_t guard_trips;        /* failures that `report` let pass */
 } clast_counters;
 
 clast_counters clast_world_counters(const clast_world *w);

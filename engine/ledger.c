@@ -1,0 +1,84 @@
+/* ledger.c - where the energy is and what went where.
+ *
+ * Kept exactly for the leapfrog: the work of a contact force over a step is the mean of the forces at
+ * its two ends times the way between, and the kinetic energy is v(n-1/2).v(n+1/2)/2. Dashpots, sliding
+ * and walls are booked so; elastic energy is a function of the overlap. What does not add up is then the
+ * error of integrating the contact (order dt^2 inside, dt^2.5 at the onset), and it is what grows when a
+ * step is too large: the residual is the failure detector. */
+#include "engine/numbers.h"
+#include "engine/world.h"
+
+/* Gravity against the lowest corner of the domain. */
+static double gravity_of(const clast_world *w) {
+    exact_sum sum = {0, 0};
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        vec3 above = v3_sub(body_position(w, i), w->def.domain_min);
+        double mass = w->shapes[w->bodies.shape[i]].mass;
+        sum_add(&sum, &w->ledger.scale, -mass * v3_dot(above, w->def.gravity));
+    }
+    return sum_value(&sum);
+}
+
+/* A power of two that no total of this scene should exceed by much: sets the quanta of the sums. */
+static double energy_scale(const clast_world *w) {
+    double mass = 0, fastest2 = 0, extent = v3_norm(v3_sub(w->def.domain_max, w->def.domain_min));
+    const body_store *b = &w->bodies;
+    for (uint32_t id = 0; id < w->next_id; id++) {
+        int32_t i = w->slot_of_id[id];
+        if (i < 0) continue;
+        mass += w->shapes[b->shape[i]].mass;
+        double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
+        double s2 = b->wx[i] * b->wx[i] + b->wy[i] * b->wy[i] + b->wz[i] * b->wz[i];
+        double arm = w->shapes[b->shape[i]].bound;
+        if (v2 + s2 * arm * arm > fastest2) fastest2 = v2 + s2 * arm * arm;
+    }
+    for (int l = 0; l < w->wall_count; l++) {
+        vec3 v = v3_add(w->walls[l].def.belt_velocity, w->parts[w->walls[l].part].def.velocity);
+        if (v3_dot(v, v) > fastest2) fastest2 = v3_dot(v, v);
+    }
+    double scale = mass * (fastest2 + v3_norm(w->def.gravity) * extent);
+    return number_power_of_two_above(scale > 1e-200 ? scale : 1e-200);
+}
+
+clast_energy clast_world_energy(clast_world *w) {
+    CLAST_ASSERT(w && w->prepared);
+    const ledger *l = &w->ledger;
+    velocities_synchronise(w);
+    clast_energy e = {.kinetic = w->view.kinetic, .rotational = w->view.rotational,
+                      .gravity = gravity_of(w), .elastic = contacts_elastic_energy(w),
+                      .damping = l->damping, .friction = l->friction, .global = l->global,
+                      .wall_work = l->wall_work, .removed = l->removed};
+    double total = e.kinetic + e.rotational + e.gravity + e.elastic + e.damping + e.friction +
+                   e.global + e.removed - e.wall_work;
+    double fallen = l->start_gravity - (e.gravity + l->removed_gravity);
+    double begun = l->start_total - l->start_gravity;
+    e.input = begun + (fallen > 0 ? fallen : 0) + fabs(e.wall_work);
+    e.residual = total - l->start_total;
+    return e;
+}
+
+void ledger_set_scale(clast_world *w) { w->ledger.scale = sum_scale_for(energy_scale(w)); }
+
+/* Books the state at step 0 as the start. */
+void ledger_start(clast_world *w) {
+    ledger *l = &w->ledger;
+    l->damping = l->friction = l->global = l->wall_work = l->removed = l->removed_gravity = 0;
+    l->start_total = l->start_gravity = 0;
+    for (int p = 0; p < w->part_count; p++) w->parts[p].work_total = 0;
+    clast_energy e = clast_world_energy(w);
+    l->start_gravity = e.gravity;
+    l->start_total = e.kinetic + e.rotational + e.gravity + e.elastic;
+}
+
+/* A body leaves: what it carries is booked as removed, at the half step it is in. */
+void ledger_remove_body(clast_world *w, size_t slot) {
+    const body_store *b = &w->bodies;
+    double mass = w->shapes[b->shape[slot]].mass;
+    vec3 v = v3(b->vx[slot], b->vy[slot], b->vz[slot]), l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
+    vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
+    vec3 above = v3_sub(body_position(w, slot), w->def.domain_min);
+    vec3 next = v3_add(v, v3_scale(w->dt, w->def.gravity)); /* it touches nothing out there */
+    double gravity = -mass * v3_dot(above, w->def.gravity);
+    w->ledger.removed_gravity += gravity;
+    w->ledger.removed += gravity + 0.5 * mass * v3_dot(v, next) + 0.5 * v3_dot(l, spin);
+}

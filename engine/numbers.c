@@ -1,0 +1,72 @@
+#include "engine/numbers.h"
+
+#include <math.h>
+
+#include "engine/check.h"
+#include "engine/clast.h"
+
+double number_power_of_two_above(double x) {
+    CLAST_ASSERT(x > 0 && x < 1e300);
+    int exponent;
+    double mantissa = frexp(x, &exponent); /* exact */
+    return ldexp(1.0, mantissa == 0.5 ? exponent - 1 : exponent);
+}
+
+double number_fifth_root(double x) {
+    CLAST_ASSERT(x > 0 && x < 1e300);
+    int exponent;
+    frexp(x, &exponent);
+    double root = ldexp(1.0, exponent / 5 + 1);
+    for (int i = 0; i < 100; i++) {
+        double fourth = root * root * root * root;
+        double next = root - (root - x / fourth) / 5;
+        if (fabs(next - root) <= 1e-16 * root) break;
+        root = next;
+    }
+    return root;
+}
+
+/* Taylor series to x^17 and x^16: the first term left out is below 1e-19 at pi/4. */
+void number_sincos_small(double angle, double *sine, double *cosine) {
+    double z = angle * angle;
+    double p = 1.0 / 355687428096000.0;
+    p = -1.0 / 1307674368000.0 + z * p;
+    p = 1.0 / 6227020800.0 + z * p;
+    p = -1.0 / 39916800.0 + z * p;
+    p = 1.0 / 362880.0 + z * p;
+    p = -1.0 / 5040.0 + z * p;
+    p = 1.0 / 120.0 + z * p;
+    p = -1.0 / 6.0 + z * p;
+    *sine = angle + angle * (z * p);
+    double q = 1.0 / 20922789888000.0;
+    q = -1.0 / 87178291200.0 + z * q;
+    q = 1.0 / 479001600.0 + z * q;
+    q = -1.0 / 3628800.0 + z * q;
+    q = 1.0 / 40320.0 + z * q;
+    q = -1.0 / 720.0 + z * q;
+    q = 1.0 / 24.0 + z * q;
+    *cosine = 1.0 - 0.5 * z + z * (z * q);
+}
+
+void clast_sincos(double angle, double *sine, double *cosine) {
+    CLAST_ASSERT(fabs(angle) <= 1e5);
+    double quarter = floor(angle * (2 / NUMBER_PI) + 0.5);
+    /* pi/2 in three parts of 33 bits: the products with |quarter| < 2^17 are exact (Cody, Waite) */
+    double rest = angle - quarter * 1.57079632673412561417e+00;
+    rest = rest - quarter * 6.07710050630396597660e-11;
+    rest = rest - quarter * 2.02226624879595063154e-21;
+    double s, c;
+    number_sincos_small(rest, &s, &c);
+    switch ((long)quarter & 3) {
+    case 0: *sine = s, *cosine = c; break;
+    case 1: *sine = c, *cosine = -s; break;
+    case 2: *sine = -s, *cosine = -c; break;
+    default: *sine = -c, *cosine = s; break;
+    }
+}
+
+clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle) {
+    double s, c;
+    clast_sincos(0.5 * angle, &s, &c);
+    return (clast_quat){c, s * axis.x, s * axis.y, s * axis.z};
+}

@@ -1,0 +1,157 @@
+/* step.c - preparing a world and the time step, which reads as the method section of a paper.
+ *
+ * At a step boundary the world holds x(n), v(n-1/2) and the contact forces f(n). */
+#include "engine/parallel.h"
+#include "engine/world.h"
+
+enum { SPHERES_PER_THREAD = 1000 };
+
+/* ---- preparing ----------------------------------------------------------------------------------------- */
+
+static void choose_sizes(clast_world *w) {
+    w->smallest_radius = INFINITY;
+    for (int i = 0; i < w->shape_count; i++) {
+        const shape *s = &w->shapes[i];
+        if (s->bound > w->largest_bound) w->largest_bound = s->bound;
+        for (int k = 0; k < s->spheres; k++)
+            if (s->radius[k] < w->smallest_radius) w->smallest_radius = s->radius[k];
+    }
+    w->skin = w->def.skin > 0 ? w->def.skin : 0.2 * w->smallest_radius;
+}
+
+static size_t sphere_count(const clast_world *w) {
+    size_t count = 0;
+    for (size_t i = 0; i < w->bodies.count; i++) count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
+    return count;
+}
+
+/* Asked-for threads are used as asked; else as many as the size of the scene keeps busy. */
+static void choose_threads(clast_world *w) {
+    size_t useful = sphere_count(w) / SPHERES_PER_THREAD, cores = (size_t)parallel_max_threads();
+    size_t n = useful < 1 ? 1 : useful < cores ? useful : cores;
+    w->threads = w->def.threads > 0 ? w->def.threads : (int)n;
+    size_t threads = (size_t)w->threads, parts = (size_t)w->part_count;
+    w->tallies = memory_grow(w, NULL, 0, threads, sizeof *w->tallies);
+    w->tally_work = memory_grow(w, NULL, 0, threads * parts + 1, sizeof *w->tally_work);
+    w->body_tallies = memory_grow(w, NULL, 0, threads, sizeof *w->body_tallies);
+}
+
+static clast_status check_pairs(clast_world *w) {
+    w->error[0] = '\0';
+    int faults = 0;
+    for (int i = 0; i < w->shape_count; i++) {
+        int a = w->shapes[i].material;
+        for (int j = 0; j < w->material_count; j++) {
+            bool needed = false;
+            for (int k = 0; k < w->shape_count; k++) needed |= w->shapes[k].material == j;
+            for (int k = 0; k < w->wall_count; k++) needed |= w->walls[k].def.material == j;
+            if (!needed || w->coefs[a * w->material_count + j].set) continue;
+            if (j < a && w->coefs[j * w->material_count + a].set) continue;
+            world_complain(w, "pair %s / %s is not set", w->materials[a].name, w->materials[j].name);
+            faults++;
+        }
+    }
+    return faults ? CLAST_ERR_ARGUMENT : CLAST_OK;
+}
+
+static bool plane_is_principal(const clast_world *w, size_t i) {
+    mat3 r = q_matrix(body_orientation(w, i));
+    double along = v3_at(r.row[w->def.plane_axis], w->def.plane_axis);
+    return fabs(fabs(along) - 1) < 1e-9;
+}
+
+static clast_status check_plane(clast_world *w) {
+    if (w->def.motion != CLAST_MOTION_IN_PLANE) return CLAST_OK;
+    const body_store *b = &w->bodies;
+    for (size_t i = 0; i < b->count; i++) {
+        double across = v3_at(v3(b->vx[i], b->vy[i], b->vz[i]), w->def.plane_axis);
+        if (across != 0)
+            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "body %u moves across the plane of motion", b->id[i]);
+        if (!plane_is_principal(w, i))
+            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
+                              "body %u is tilted out of the plane of motion", b->id[i]);
+    }
+    return CLAST_OK;
+}
+
+static clast_status prepare_checked(clast_world *w) {
+    if (w->shape_count == 0) return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "the scene has no shape");
+    clast_status s = check_pairs(w);
+    if (s) return s;
+    s = check_plane(w);
+    if (s) return s;
+    choose_sizes(w);
+    choose_threads(w);
+    contacts_choose_kernel(w);
+    return timestep_choose(w);
+}
+
+clast_status clast_world_prepare(clast_world *w) {
+    CLAST_ASSERT(w);
+    if (w->prepared) return CLAST_OK;
+    clast_status s = prepare_checked(w);
+    if (s) return s;
+    walls_link(w);
+    walls_move(w);
+    pairs_rebuild(w);
+    s = guards_check_start(w);
+    if (s) return s;
+    w->prepared = true;
+    ledger_set_scale(w);
+    w->contact_dt = 0;
+    contacts_evaluate(w);
+    velocities_start(w);
+    w->contact_dt = w->dt;
+    ledger_start(w);
+    return CLAST_OK;
+}
+
+/* ---- stepping ------------------------------------------------------------------------------------------- */
+
+static void lap(double *since, double *into) {
+    double now = world_seconds();
+    *into += now - *since;
+    *since = now;
+}
+
+/* Contacts whose partner has left take their elastic energy along. */
+static clast_status refresh_neighbours(clast_world *w) {
+    if (!w->list.stale && !w->found.outside) return CLAST_OK;
+    bool leaving = w->found.outside || w->parts_changed;
+    double stored = leaving ? contacts_elastic_energy(w) : 0;
+    records_collect(w);
+    clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
+    if (s) return s;
+    pairs_rebuild(w);
+    if (leaving) w->ledger.removed += stored - contacts_elastic_energy(w);
+    w->parts_changed = false;
+    return CLAST_OK;
+}
+
+clast_status clast_world_step(clast_world *w) {
+    CLAST_ASSERT(w);
+    clast_status s = clast_world_prepare(w);
+    if (s || w->failed) return s ? s : CLAST_ERR_GUARD;
+    clast_counters *c = &w->counters;
+    double clock = world_seconds();
+
+    bodies_advance(w);                 /* gather f(n), kick, drift: x(n+1), v(n+1/2) */
+    w->step++;
+    lap(&clock, &c->seconds_bodies);
+    walls_move(w);
+    lap(&clock, &c->seconds_walls);
+    s = refresh_neighbours(w);         /* if something has moved half the skin, or left */
+    lap(&clock, &c->seconds_neighbours);
+    if (s) return s;
+    contacts_evaluate(w);              /* narrow phase, law, sums per pair: f(n+1) */
+    lap(&clock, &c->seconds_contacts);
+    s = guards_check(w);
+    lap(&clock, &c->seconds_measure);
+    return s;
+}
+
+clast_status clast_world_run(clast_world *w, double time) {
+    clast_status s = clast_world_prepare(w);
+    while (!s && clast_world_time(w) < time - 0.5 * w->dt) s = clast_world_step(w);
+    return s;
+}

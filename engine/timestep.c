@@ -1,0 +1,109 @@
+/* timestep.c - the limits of the time step and the choice between them. */
+#include "engine/numbers.h"
+#include "engine/world.h"
+
+/* A00 1.26-1.28 for the smallest sphere of one shape. */
+static double rayleigh_of(const clast_world *w, const shape *s) {
+    const material *m = &w->materials[s->material];
+    double smallest = s->radius[0];
+    for (int i = 1; i < s->spheres; i++)
+        if (s->radius[i] < smallest) smallest = s->radius[i];
+    double shear = m->young / (2 * (1 + m->poisson));
+    return NUMBER_PI * smallest / (0.1631 * m->poisson + 0.8766) * sqrt(m->density / shear);
+}
+
+double timestep_rayleigh(const clast_world *w) {
+    double least = INFINITY;
+    for (int i = 0; i < w->shape_count; i++) {
+        double step = rayleigh_of(w, &w->shapes[i]);
+        if (step < least) least = step;
+    }
+    return least;
+}
+
+/* Fastest impact to be expected: asked for, or the start's fastest plus the fall through the domain. */
+static double impact_speed(const clast_world *w) {
+    if (w->def.impact_speed > 0) return w->def.impact_speed;
+    vec3 d = v3_sub(w->def.domain_max, w->def.domain_min), g = w->def.gravity;
+    double fastest2 = 0;
+    const body_store *b = &w->bodies;
+    for (size_t i = 0; i < b->count; i++) {
+        double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
+        if (v2 > fastest2) fastest2 = v2;
+    }
+    double fall = fabs(d.x * g.x) + fabs(d.y * g.y) + fabs(d.z * g.z);
+    double v = sqrt(fastest2 + 2 * fall);
+    return v > 0 ? v : 1;
+}
+
+typedef struct stiffest {
+    double duration; /* s, of a contact */
+    double critical; /* s, 2 / omega at its largest overlap */
+} stiffest;
+
+/* Hertz: T = 2.943 (15 m / (16 sqrt(R) E))^(2/5) v^(-1/5) (S12 2.41 with its constant worked out),
+ * overlap (15 m v^2 / (16 sqrt(R) E))^(2/5); linear: pi sqrt(m / k) (S12 2.22 without damping). */
+static stiffest contact_of(const clast_world *w, double mass, double radius, const pair_coef *c, double v) {
+    if (w->def.law == CLAST_LAW_LINEAR) {
+        double omega = sqrt(c->stiffness / mass);
+        return (stiffest){NUMBER_PI / omega, 2 / omega};
+    }
+    double q = 15 * mass / (16 * sqrt(radius) * c->e_star);
+    double overlap = number_fifth_root(q * q * v * v * v * v);
+    double k_n = 2 * c->e_star * sqrt(radius * overlap);
+    return (stiffest){2.9432751 * overlap / v, 2 * sqrt(mass / k_n)};
+}
+
+static void keep_least(stiffest *least, stiffest s) {
+    if (s.duration < least->duration) least->duration = s.duration;
+    if (s.critical < least->critical) least->critical = s.critical;
+}
+
+static double largest_radius(const shape *s) {
+    double r = 0;
+    for (int i = 0; i < s->spheres; i++) r = s->radius[i] > r ? s->radius[i] : r;
+    return r;
+}
+
+/* Over all pairs of shapes and all shapes with all walls. A whole body's mass counts at each contact;
+ * arms and inertia make contacts lighter and steps shorter, by up to the ratio of masses. */
+static stiffest stiffest_contact(const clast_world *w, double v) {
+    stiffest least = {INFINITY, INFINITY};
+    for (int i = 0; i < w->shape_count; i++) {
+        const shape *a = &w->shapes[i];
+        for (int j = 0; j <= i; j++) {
+            const shape *b = &w->shapes[j];
+            const pair_coef *c = &w->coefs[a->material * w->material_count + b->material];
+            double ra = largest_radius(a), rb = largest_radius(b);
+            if (c->set)
+                keep_least(&least, contact_of(w, a->mass * b->mass / (a->mass + b->mass),
+                                              ra * rb / (ra + rb), c, v));
+        }
+        for (int l = 0; l < w->wall_count; l++) {
+            const pair_coef *c = &w->coefs[a->material * w->material_count + w->walls[l].def.material];
+            if (c->set) keep_least(&least, contact_of(w, a->mass, largest_radius(a), c, v));
+        }
+    }
+    return least;
+}
+
+clast_status timestep_choose(clast_world *w) {
+    clast_plan *p = &w->plan;
+    p->impact_speed = impact_speed(w);
+    stiffest s = stiffest_contact(w, p->impact_speed);
+    p->rayleigh_step = timestep_rayleigh(w);
+    p->contact_time = s.duration;
+    p->critical_step = s.critical;
+    w->dt = w->def.time_step;
+    if (w->dt == 0) {
+        double a = w->def.rayleigh_fraction * p->rayleigh_step;
+        double b = s.duration / w->def.contact_resolution;
+        if (w->def.law == CLAST_LAW_LINEAR) a = b; /* its stiffness is not that of the material */
+        w->dt = a < b ? a : b;
+    }
+    if (!(w->dt > 0 && w->dt < 1e6))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "no contact in this scene sets a time step: give one");
+    p->time_step = w->dt;
+    p->resolution = s.duration / w->dt;
+    return CLAST_OK;
+}

@@ -1,0 +1,99 @@
+/* wall.c - planes and plates, grouped in parts that move as the scene prescribes. */
+#include "engine/world.h"
+
+int clast_part_add(clast_world *w, const clast_part_def *def) {
+    CLAST_ASSERT(w && def && !w->prepared);
+    if (def->move_until != 0 && !(def->move_until > def->move_from))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from",
+                          def->name ? def->name : "?"), -1;
+    int n = w->part_count;
+    w->parts = memory_grow(w, w->parts, (size_t)n, (size_t)n + 1, sizeof *w->parts);
+    w->parts[n] = (part){.name = memory_text(w, def->name), .def = *def, .present = true};
+    w->parts[n].def.name = w->parts[n].name;
+    w->part_count++;
+    return n;
+}
+
+static const char *fault_of(const clast_world *w, int part_index, const clast_wall_def *d) {
+    if (part_index < 0 || part_index >= w->part_count) return "belongs to no part";
+    if (d->material < 0 || d->material >= w->material_count) return "has no such material";
+    if (!(v3_norm(d->normal) > 0)) return "has no normal";
+    if (d->kind == CLAST_WALL_PLANE) return NULL;
+    if (!(d->half_side[0] > 0 && d->half_side[1] > 0)) return "has a side that is not above zero";
+    double along = v3_norm(d->side);
+    if (!(along > 0)) return "has no side direction";
+    double cosine = v3_dot(d->side, d->normal) / (along * v3_norm(d->normal));
+    if (!(fabs(cosine) < 1e-6)) return "has a side that is not across its normal";
+    return NULL;
+}
+
+int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
+    CLAST_ASSERT(w && def && !w->prepared);
+    const char *fault = fault_of(w, part_index, def);
+    if (fault)
+        return world_fail(w, CLAST_ERR_ARGUMENT, "wall %s %s", def->name ? def->name : "?", fault), -1;
+    int n = w->wall_count;
+    w->walls = memory_grow(w, w->walls, (size_t)n, (size_t)n + 1, sizeof *w->walls);
+    wall *l = &w->walls[n];
+    *l = (wall){.name = memory_text(w, def->name), .part = part_index, .def = *def};
+    l->n = v3_scale(1 / v3_norm(def->normal), def->normal);
+    if (def->kind == CLAST_WALL_PLATE) {
+        l->u = v3_scale(1 / v3_norm(def->side), def->side);
+        l->v = v3_cross(l->n, l->u);
+    }
+    l->def.name = l->name;
+    l->def.normal = l->n;
+    l->def.side = l->u;
+    l->point = def->point;
+    w->wall_count++;
+    return n;
+}
+
+/* Two plates in one plane whose rectangles touch or overlap. */
+static bool are_coplanar(const wall *a, const wall *b) {
+    double size = a->def.half_side[0] + a->def.half_side[1] + b->def.half_side[0] + b->def.half_side[1];
+    if (!(fabs(fabs(v3_dot(a->n, b->n)) - 1) < 1e-12)) return false;
+    vec3 between = v3_sub(b->def.point, a->def.point);
+    return fabs(v3_dot(between, a->n)) < 1e-9 * size && v3_norm(between) <= size;
+}
+
+/* An edge between two such plates is no edge: the narrow phase asks this list. */
+void walls_link(clast_world *w) {
+    for (int i = 0; i < w->wall_count; i++) {
+        wall *a = &w->walls[i];
+        a->coplanar_count = 0;
+        a->coplanar = memory_grow(w, a->coplanar, 0, (size_t)w->wall_count, sizeof *a->coplanar);
+        for (int j = 0; j < w->wall_count; j++)
+            if (i != j && a->def.kind == CLAST_WALL_PLATE && w->walls[j].def.kind == CLAST_WALL_PLATE &&
+                are_coplanar(a, &w->walls[j]))
+                a->coplanar[a->coplanar_count++] = j;
+    }
+}
+
+/* Seconds that a part has been moving until t. */
+static double moving_time(const clast_part_def *d, double t) {
+    double until = d->move_until > 0 && d->move_until < t ? d->move_until : t;
+    return until > d->move_from ? until - d->move_from : 0;
+}
+
+static bool is_moving(const clast_part_def *d, double t) {
+    return t >= d->move_from && !(d->move_until > 0 && t >= d->move_until);
+}
+
+/* Puts every part where it is now. Positions are functions of time, never sums of steps. */
+void walls_move(clast_world *w) {
+    double t = (double)w->step * w->dt;
+    for (int i = 0; i < w->part_count; i++) {
+        part *p = &w->parts[i];
+        bool present = !(p->def.removed_at > 0 && t >= p->def.removed_at);
+        if (present != p->present) w->list.stale = w->parts_changed = true;
+        p->present = present;
+        p->offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
+        p->velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
+    }
+    for (int i = 0; i < w->wall_count; i++) {
+        wall *l = &w->walls[i];
+        l->point = v3_add(l->def.point, w->parts[l->part].offset);
+        l->surface_velocity = v3_add(w->parts[l->part].velocity, l->def.belt_velocity);
+    }
+}

@@ -1,0 +1,165 @@
+/* world.c - making and freeing a world, its materials and pairs. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/parallel.h"
+#include "engine/world.h"
+
+enum { DEF_MAGIC = 0x434c5354 };
+
+clast_world_def clast_world_def_default(void) {
+    return (clast_world_def){
+        .gravity = {0, 0, -9.81},
+        .law = CLAST_LAW_HERTZ_MINDLIN,
+        .limit = CLAST_LIMIT_TOTAL,
+        .unloading = CLAST_UNLOAD_RESCALE,
+        .motion = CLAST_MOTION_3D,
+        .plane_axis = 1,
+        .rayleigh_fraction = 0.2,
+        .contact_resolution = 30,
+        .domain_min = {-10, -10, -10},
+        .domain_max = {10, 10, 10},
+        .max_overlap = 0.05,
+        .max_displacement = 0.1,
+        .max_residual = 0.05,
+        .seed = 1,
+        .magic = DEF_MAGIC,
+    };
+}
+
+static const char *new_error;
+
+const char *clast_world_new_error(void) { return new_error ? new_error : ""; }
+
+static const char *fault_of(const clast_world_def *d) {
+    vec3 lo = d->domain_min, hi = d->domain_max;
+    if (!isfinite(v3_dot(d->gravity, d->gravity))) return "gravity is not finite";
+    if (!(d->global_damping >= 0)) return "global_damping is below zero";
+    if (d->plane_axis < 0 || d->plane_axis > 2) return "plane_axis is not 0, 1 or 2";
+    if (!(d->time_step >= 0)) return "time_step is below zero";
+    if (!(d->rayleigh_fraction > 0 && d->rayleigh_fraction <= 1)) return "rayleigh_fraction is not in (0, 1]";
+    if (!(d->contact_resolution >= 5)) return "contact_resolution is below 5";
+    if (!(d->impact_speed >= 0)) return "impact_speed is below zero";
+    if (!(lo.x < hi.x && lo.y < hi.y && lo.z < hi.z)) return "the domain is empty";
+    if (!(d->max_overlap > 0 && d->max_displacement > 0 && d->max_residual > 0))
+        return "a guard's limit is not above zero";
+    if (!(d->skin >= 0)) return "skin is below zero";
+    if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
+    return NULL;
+}
+
+clast_world *clast_world_new(const clast_world_def *def) {
+    CLAST_ASSERT(def && def->magic == DEF_MAGIC);
+    new_error = fault_of(def);
+    if (new_error) return NULL;
+    clast_world *w = calloc(1, sizeof *w);
+    CLAST_ASSERT(w);
+    w->def = *def;
+    w->counters.bytes = sizeof *w;
+    return w;
+}
+
+static void free_scene(clast_world *w) {
+    for (int i = 0; i < w->material_count; i++) free(w->materials[i].name);
+    for (int i = 0; i < w->shape_count; i++) {
+        shape *s = &w->shapes[i];
+        free(s->name), free(s->centre), free(s->radius), free(s->outline);
+    }
+    for (int i = 0; i < w->part_count; i++) free(w->parts[i].name);
+    for (int i = 0; i < w->wall_count; i++) free(w->walls[i].name), free(w->walls[i].coplanar);
+    free(w->materials), free(w->shapes), free(w->parts), free(w->walls), free(w->coefs);
+}
+
+static void free_list(pair_list *l) {
+    candidate_store *c = &l->candidates;
+    free(c->a), free(c->b), free(c->radius), free(c->histories), free(c->touching);
+    free(l->pairs), free(l->forces), free(l->incidences), free(l->incidence_first);
+    free(l->block_first);
+}
+
+void clast_world_free(clast_world *w) {
+    if (!w) return;
+    free_scene(w);
+    free_list(&w->list);
+#define X(type, name) free(w->bodies.name);
+    BODY_COLUMNS(X)
+#undef X
+    sphere_store *s = &w->spheres;
+    free(s->x), free(s->y), free(s->z), free(s->radius), free(s->body), free(s->first);
+    free(s->built_x), free(s->built_y), free(s->built_z);
+    free(w->records.items), free(w->records.first), free(w->slot_of_id);
+    free(w->tallies), free(w->tally_work), free(w->body_tallies);
+    free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);
+    free(w->view.wx), free(w->view.wy), free(w->view.wz);
+    free(w->cells.cell_of), free(w->cells.cell_first), free(w->cells.order), free(w->cells.permute);
+    free(w);
+}
+
+/* ---- materials -------------------------------------------------------------------------------------- */
+
+static void grow_coefs(clast_world *w, int old, int now) {
+    pair_coef *table = memory_grow(w, NULL, 0, (size_t)now * (size_t)now, sizeof *table);
+    for (int i = 0; i < old; i++)
+        for (int j = 0; j < old; j++) table[i * now + j] = w->coefs[i * old + j];
+    free(w->coefs);
+    w->coefs = table;
+}
+
+int clast_material_add(clast_world *w, const clast_material_def *def) {
+    CLAST_ASSERT(w && def && !w->prepared);
+    const char *name = def->name ? def->name : "?";
+    if (!(def->density > 0) || !isfinite(def->density))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: density is not above zero", name), -1;
+    if (!(def->young > 0) || !isfinite(def->young))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Young's modulus is not above zero", name), -1;
+    if (!(def->poisson > -1 && def->poisson < 0.5))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Poisson's ratio is not in (-1, 0.5)", name), -1;
+    int n = w->material_count;
+    w->materials = memory_grow(w, w->materials, (size_t)n, (size_t)n + 1, sizeof *w->materials);
+    w->materials[n] = (material){memory_text(w, name), def->density, def->young, def->poisson};
+    grow_coefs(w, n, n + 1);
+    w->material_count++;
+    return n;
+}
+
+static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
+    if (!(d->restitution > 0.01 && d->restitution <= 1)) return "restitution is not in (0.01, 1]";
+    if (!(d->friction >= 0) || !isfinite(d->friction)) return "friction is below zero";
+    if (!(d->cohesion >= 0)) return "cohesion is below zero";
+    if (w->def.law != CLAST_LAW_LINEAR) return NULL;
+    if (!(d->stiffness > 0)) return "the linear law needs a stiffness above zero";
+    if (!(d->tangential_ratio >= 0)) return "tangential_ratio is below zero";
+    return NULL;
+}
+
+clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *d) {
+    CLAST_ASSERT(w && d && a >= 0 && a < w->material_count && b >= 0 && b < w->material_count);
+    const material *ma = &w->materials[a], *mb = &w->materials[b];
+    const char *fault = pair_fault(w, d);
+    if (fault)
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "pair %s / %s: %s", ma->name, mb->name, fault);
+    double ga = ma->young / (2 * (1 + ma->poisson)), gb = mb->young / (2 * (1 + mb->poisson));
+    double ratio = d->tangential_ratio > 0 ? d->tangential_ratio : 2.0 / 7.0;
+    pair_coef c = {
+        .set = true,
+        .e_star = 1 / ((1 - ma->poisson * ma->poisson) / ma->young +
+                       (1 - mb->poisson * mb->poisson) / mb->young),
+        .g_star = 1 / ((2 - ma->poisson) / ga + (2 - mb->poisson) / gb),
+        .stiffness = d->stiffness,
+        .tangential = ratio * d->stiffness,
+        .damping = clast_damping_ratio(w->def.law, d->restitution),
+        .friction = d->friction,
+        .cohesion = d->cohesion,
+        .restitution = d->restitution,
+    };
+    w->coefs[a * w->material_count + b] = w->coefs[b * w->material_count + a] = c;
+    return CLAST_OK;
+}
+
+clast_status clast_pair_set_friction(clast_world *w, int a, int b, double friction) {
+    CLAST_ASSERT(w && a >= 0 && a < w->material_count && b >= 0 && b < w->material_count);
+    if (!(friction >= 0)) return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "friction is below zero");
+    w->coefs[a * w->material_count + b].friction = friction;
+    w->coefs[b * w->material_count + a].friction = friction;
+    return CLAST_OK;
+}
