@@ -1,0 +1,50 @@
+/* build.h - from a draft without faults to a world: the stages behind scene_load(), in their order. */
+#ifndef CLAST_SCENE_BUILD_H
+#define CLAST_SCENE_BUILD_H
+
+#include "experiments/scene/reader.h"
+
+/* The element spheres of a shape, however it was given. Never NULL. */
+typedef struct sphere_set {
+    int count;
+    clast_vec3 *centre;
+    double *radius;
+    double reach; /* m, of the bounding sphere about the origin of the body */
+} sphere_set;
+
+sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape);
+
+/* check.c: what one key cannot tell alone. */
+void scene_check(scene_reader *r, const scene_draft *draft);
+
+/* Bodies on their way into the world, with what placing the next one needs to know. */
+typedef struct crowd {
+    clast_body_def *bodies;
+    double *reach; /* m */
+    int *source;   /* index of the entry of `bodies:` that asked for it */
+    int count, room;
+    int inherited; /* the first so many came with a checkpoint and are in the world already */
+    const double *shape_reach; /* m, by shape */
+    int plane_axis;            /* -1: 3-D */
+    uint64_t seed;
+} crowd;
+
+void crowd_add(crowd *c, const clast_body_def *body, int source);
+void crowd_free(crowd *c);
+
+/* place.c: one generator of an entry of `bodies:`. */
+void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const generator *g, int source);
+void scene_place_hexagonal(scene_reader *r, crowd *c, const tree_node *node, const generator *g,
+                           int source);
+void scene_place_random(scene_reader *r, crowd *c, const tree_node *node, const generator *g,
+                        int source);
+clast_quat scene_turn(const rotation *turn, const tree_node *node); /* node may be NULL: no turn */
+
+/* start_csv.c: a table of bodies. */
+void scene_place_csv(scene_reader *r, crowd *c, const scene_draft *draft, const char *path,
+                     const tree_node *node, int source);
+
+/* build.c: NULL with faults. */
+clast_world *scene_build(scene_reader *r, scene_draft *draft, bool prepare);
+
+#endif

@@ -1,0 +1,291 @@
+/* check.c - faults that no single key shows: pairs left out, a plate whose side is not at right angles,
+ * spheres that overlap and have no mass. */
+#include "experiments/scene/build.h"
+
+#include <math.h>
+#include <string.h>
+
+#define FAULT(node, key, ...) scene_fault_at(r->arena, r->faults, (node), (key), __VA_ARGS__)
+#define EACH(type, it, list)                                                                       \
+    for (const type *it = (list).items, *it##_end = it + (list).count; it != it##_end; it++)
+
+static double dot(clast_vec3 a, clast_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static double length(clast_vec3 a) {
+    return sqrt(dot(a, a));
+}
+
+static double component(clast_vec3 v, int axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static bool is_below(clast_vec3 a, clast_vec3 b) {
+    return a.x < b.x && a.y < b.y && a.z < b.z;
+}
+
+/* Checks of a value make sense only where the value was given and could be read. */
+static bool was_given(const tree_node *node, const char *key) {
+    return tree_get(node, key) != NULL;
+}
+
+/* ---- pairs ----------------------------------------------------------------------------------- */
+
+static const char *material_name(const scene_draft *d, int material) {
+    SCENE_ASSERT(material >= 0 && material < d->materials.count);
+    return ((const material_item *)d->materials.items)[material].item.name;
+}
+
+static bool is_pair(const pair_item *p, int a, int b) {
+    return (p->between[0] == a && p->between[1] == b) || (p->between[0] == b && p->between[1] == a);
+}
+
+static void check_pair(scene_reader *r, const scene_draft *d, const pair_item *pair) {
+    const pair_item *first = d->pairs.items;
+    for (; first != pair; first++)
+        if (is_pair(first, pair->between[0], pair->between[1]) && pair->between[0] >= 0)
+            FAULT(pair->item.node, "between", "found %s and %s twice, expected once (also in line %d)",
+                  material_name(d, pair->between[0]), material_name(d, pair->between[1]),
+                  first->item.node->line);
+    bool linear = d->def.law == CLAST_LAW_LINEAR;
+    const tree_node *stiffness = tree_get(pair->item.node, "stiffness");
+    if (linear && !stiffness)
+        FAULT(pair->item.node, "stiffness", "missing, expected a stiffness in N/m, > 0, for law linear");
+    static const char *const LINEAR_ONLY[] = {"stiffness", "tangential_ratio"};
+    for (int i = 0; i < 2; i++) {
+        const tree_node *node = tree_get(pair->item.node, LINEAR_ONLY[i]);
+        if (node && !linear)
+            scene_warn(r->faults, node->line, tree_path(r->arena, node, NULL),
+                       "used by the law linear alone, has no effect here");
+    }
+}
+
+static void need_pair(scene_reader *r, const scene_draft *d, int a, int b) {
+    if (a < 0 || b < 0) return; /* an unknown material has been reported */
+    EACH(pair_item, pair, d->pairs) {
+        if (is_pair(pair, a, b) || pair->between[0] < 0) return;
+    }
+    const tree_node *pairs = tree_get(r->root, "pairs");
+    if (!pairs) return;
+    FAULT(pairs, NULL, "missing between %s and %s, which can touch", material_name(d, a < b ? a : b),
+          material_name(d, a < b ? b : a));
+}
+
+static void check_pairs(scene_reader *r, const scene_draft *d) {
+    EACH(pair_item, pair, d->pairs) check_pair(r, d, pair);
+    EACH(shape_item, shape, d->shapes) {
+        EACH(shape_item, other, d->shapes) need_pair(r, d, shape->material, other->material);
+        EACH(wall_item, wall, d->walls) need_pair(r, d, shape->material, wall->material);
+    }
+}
+
+/* ---- shapes ---------------------------------------------------------------------------------- */
+
+static bool overlap(const sphere_set *set) {
+    for (int i = 0; i < set->count; i++)
+        for (int j = 0; j < i; j++) {
+            clast_vec3 a = set->centre[i], b = set->centre[j];
+            double distance = length((clast_vec3){a.x - b.x, a.y - b.y, a.z - b.z});
+            if (distance < (set->radius[i] + set->radius[j]) * (1 - 1e-9)) return true;
+        }
+    return false;
+}
+
+static clast_vec3 centre_of_mass(const sphere_set *set) {
+    clast_vec3 sum = {0};
+    double weight = 0;
+    for (int i = 0; i < set->count; i++) {
+        double w = set->radius[i] * set->radius[i] * set->radius[i];
+        sum.x += w * set->centre[i].x;
+        sum.y += w * set->centre[i].y;
+        sum.z += w * set->centre[i].z;
+        weight += w;
+    }
+    return (clast_vec3){sum.x / weight, sum.y / weight, sum.z / weight};
+}
+
+static void check_mass(scene_reader *r, const shape_item *shape) {
+    const tree_node *node = shape->item.node;
+    sphere_set set = scene_shape_spheres(r->arena, shape);
+    clast_vec3 centre = centre_of_mass(&set);
+    bool overlaps = overlap(&set);
+    if (overlaps && shape->mass == 0)
+        FAULT(node, "mass", "found none, expected a mass in kg, > 0: the spheres overlap");
+    if (overlaps && shape->inertia.x == 0)
+        FAULT(node, "inertia", "found none, expected [x, y, z] in kg m2, > 0: the spheres overlap");
+    if (!overlaps && shape->mass == 0 && length(centre) > 1e-6 * set.reach)
+        FAULT(node, NULL, "centre of mass of the spheres found at [%.6g, %.6g, %.6g] m, "
+              "expected at the origin", centre.x, centre.y, centre.z);
+}
+
+/* No solid has one principal moment above the sum of the other two. */
+static void check_inertia(scene_reader *r, const shape_item *shape) {
+    clast_vec3 i = shape->inertia;
+    double slack = 1 + 1e-9;
+    if (i.x > (i.y + i.z) * slack || i.y > (i.x + i.z) * slack || i.z > (i.x + i.y) * slack)
+        FAULT(shape->item.node, "inertia",
+              "found [%g, %g, %g] kg m2, expected none above the sum of the other two", i.x, i.y,
+              i.z);
+}
+
+static void check_shape(scene_reader *r, const shape_item *shape) {
+    const tree_node *node = shape->item.node, *fit = tree_get(node, "fit");
+    if (fit && shape->ellipse[0] < shape->ellipse[1])
+        FAULT(fit, "ellipse", "found half axes %g, %g m, expected a >= b", shape->ellipse[0],
+              shape->ellipse[1]);
+    check_inertia(r, shape);
+    if (r->faults->errors == 0) check_mass(r, shape);
+}
+
+/* ---- parts and walls ------------------------------------------------------------------------- */
+
+static void check_parts(scene_reader *r, const scene_draft *d) {
+    EACH(part_item, part, d->parts) {
+        const clast_part_def *def = &part->def;
+        if (def->move_until > 0 && def->move_until <= def->move_from)
+            FAULT(part->item.node, "move_until", "found %g s, expected more than move_from, %g s",
+                  def->move_until, def->move_from);
+        bool used = false;
+        EACH(wall_item, wall, d->walls) used = used || wall->part == part->item.node->index;
+        if (!used)
+            scene_warn(r->faults, part->item.node->line, tree_path(r->arena, part->item.node, NULL),
+                       "has no walls");
+    }
+}
+
+static void check_direction(scene_reader *r, const tree_node *node, const char *key, clast_vec3 v) {
+    if (was_given(node, key) && length(v) == 0)
+        FAULT(node, key, "found [0, 0, 0], expected a direction");
+}
+
+static void check_wall(scene_reader *r, const wall_item *wall) {
+    const tree_node *plane = tree_get(wall->item.node, "plane");
+    const tree_node *plate = tree_get(wall->item.node, "plate");
+    if (plane) check_direction(r, plane, "normal", wall->plane.normal);
+    if (!plate) return;
+    clast_vec3 n = wall->plate.normal, s = wall->plate.side;
+    check_direction(r, plate, "normal", n);
+    check_direction(r, plate, "side", s);
+    if (fabs(dot(n, s)) > 1e-9 * length(n) * length(s))
+        FAULT(plate, "side", "found a direction that is not at right angles to the normal");
+}
+
+/* ---- bodies ---------------------------------------------------------------------------------- */
+
+static void check_box(scene_reader *r, const tree_node *node, clast_vec3 min, clast_vec3 max) {
+    if (was_given(node, "min") && was_given(node, "max") && !is_below(min, max))
+        FAULT(node, "max", "found [%g, %g, %g] m, expected each above min, [%g, %g, %g] m", max.x,
+              max.y, max.z, min.x, min.y, min.z);
+}
+
+static void check_motion(scene_reader *r, const scene_draft *d, const tree_node *node,
+                         clast_vec3 velocity, clast_vec3 spin) {
+    if (d->motion == 0) return;
+    int axis = d->motion - 1;
+    if (component(velocity, axis) != 0)
+        FAULT(node, "velocity", "found a velocity across the plane of motion, expected 0 along %c",
+              "xyz"[axis]);
+    if (component(spin, (axis + 1) % 3) != 0 || component(spin, (axis + 2) % 3) != 0)
+        FAULT(node, "spin", "found a spin out of the plane of motion, expected one about %c alone",
+              "xyz"[axis]);
+}
+
+static void check_turn(scene_reader *r, const tree_node *node, const rotation *t) {
+    if (!node) return;
+    check_direction(r, node, "axis", t->axis);
+    const double *q = t->quaternion;
+    if (was_given(node, "quaternion") && q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+        FAULT(node, "quaternion", "found [0, 0, 0, 0], expected a rotation");
+}
+
+static void check_generator(scene_reader *r, const scene_draft *d, const tree_node *node,
+                            const generator *g) {
+    if (!node || node->kind != TREE_MAP) return;
+    clast_vec3 min = g->region_min, max = g->region_max;
+    const tree_node *region = tree_get(node, "region");
+    if (region && !(min.x <= max.x && min.y <= max.y && min.z <= max.z))
+        FAULT(region, "max", "found a corner below min");
+    if (g->orientation == ORIENT_RANDOM_IN_PLANE && d->motion == 0)
+        FAULT(node, "orientation", "found 'random-in-plane', expected fixed or random: "
+              "the motion is 3d");
+    if (g->orientation != ORIENT_FIXED && was_given(node, "turn"))
+        FAULT(node, "turn", "found beside a random orientation, expected orientation fixed");
+    check_turn(r, tree_get(node, "turn"), &g->turn);
+    check_motion(r, d, node, g->velocity, g->spin);
+}
+
+static void check_single_body(scene_reader *r, const scene_draft *d, const body_item *body) {
+    static const char *const OWN[] = {"position", "orientation", "velocity", "spin"};
+    const tree_node *node = body->item.node;
+    if (was_given(node, "shape")) {
+        if (!was_given(node, "position"))
+            FAULT(node, "position", "missing, expected [x, y, z], each a length in m");
+        check_turn(r, tree_get(node, "orientation"), &body->turn);
+        check_motion(r, d, node, body->velocity, body->spin);
+        return;
+    }
+    for (int i = 0; i < 4; i++)
+        if (was_given(node, OWN[i]))
+            FAULT(node, OWN[i], "found without 'shape', expected only for a single body");
+}
+
+static void check_bodies(scene_reader *r, const scene_draft *d) {
+    EACH(body_item, body, d->bodies) {
+        const tree_node *node = body->item.node;
+        check_single_body(r, d, body);
+        check_generator(r, d, tree_get(node, "grid"), &body->grid);
+        check_generator(r, d, tree_get(node, "hexagonal"), &body->hexagonal);
+        check_generator(r, d, tree_get(node, "random"), &body->random);
+        if (was_given(node, "from") && node->index > 0)
+            FAULT(node, "from", "found behind other bodies, expected first: ids and contacts are "
+                  "taken over from the earlier run");
+    }
+}
+
+/* ---- the rest -------------------------------------------------------------------------------- */
+
+static void check_span(scene_reader *r, const tree_node *node, const double x[2]) {
+    if (node && was_given(node, "x") && !(x[0] < x[1]))
+        FAULT(node, "x", "found %g to %g m, expected the smaller first", x[0], x[1]);
+}
+
+static void check_measures(scene_reader *r, const scene_draft *d) {
+    EACH(measure_item, m, d->measures) {
+        check_span(r, tree_get(m->item.node, "solid_fraction"), m->bed_x);
+        check_span(r, tree_get(m->item.node, "band_velocity"), m->band_x);
+        if (strpbrk(m->item.name, ",\"\n "))
+            FAULT(m->item.node, NULL, "found a name with a space, comma or quote, expected one "
+                  "that can head a column");
+    }
+}
+
+static void check_view(scene_reader *r, const scene_draft *d) {
+    const tree_node *node = tree_get(r->root, "view");
+    if (!node || node->kind != TREE_MAP) return;
+    const view *v = &d->view;
+    check_direction(r, node, "look_from", v->look_from);
+    check_direction(r, node, "up", v->up);
+    double cosine = dot(v->look_from, v->up), product = length(v->look_from) * length(v->up);
+    if (product > 0 && fabs(cosine) > (1 - 1e-9) * product)
+        FAULT(node, was_given(node, "up") ? "up" : "look_from",
+              "found the direction of view, expected one across it");
+    if (d->size[0] != floor(d->size[0]) || d->size[1] != floor(d->size[1]))
+        FAULT(node, "size", "found a part of a pixel, expected whole numbers");
+    const tree_node *box = tree_get(node, "box");
+    if (box) check_box(r, box, v->box_min, v->box_max);
+}
+
+void scene_check(scene_reader *r, const scene_draft *draft) {
+    SCENE_ASSERT(r && draft);
+    check_pairs(r, draft);
+    EACH(shape_item, shape, draft->shapes) check_shape(r, shape);
+    check_parts(r, draft);
+    EACH(wall_item, wall, draft->walls) check_wall(r, wall);
+    check_bodies(r, draft);
+    check_measures(r, draft);
+    check_view(r, draft);
+    const tree_node *domain = tree_get(r->root, "domain");
+    if (domain && !is_below(draft->def.domain_min, draft->def.domain_max))
+        FAULT(domain, "max", "found a corner that is not above min in x, y and z");
+}

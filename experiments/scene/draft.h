@@ -1,0 +1,124 @@
+/* draft.h - a scene between the YAML tree and the world: plain structs, every value in SI, every name
+ * replaced by an index. The tables of schema.c say which key goes into which field.
+ */
+#ifndef CLAST_SCENE_DRAFT_H
+#define CLAST_SCENE_DRAFT_H
+
+#include "experiments/scene/scene.h"
+#include "experiments/scene/tree.h"
+
+/* An entry of a list or of a map of names; the first member of every item below. */
+typedef struct item {
+    const tree_node *node;
+    const char *name; /* "" in a list */
+} item;
+
+typedef struct item_list {
+    void *items;
+    int count;
+} item_list;
+
+typedef struct material_item {
+    item item;
+    clast_material_def def;
+} material_item;
+
+typedef struct pair_item {
+    item item;
+    int between[2]; /* materials */
+    clast_pair_def def;
+} pair_item;
+
+typedef struct element_item {
+    item item;
+    clast_vec3 centre;
+    double radius;
+} element_item;
+
+typedef struct point_list {
+    double *xz;
+    int count;
+} point_list;
+
+typedef struct shape_item {
+    item item;
+    int material;
+    double radius;     /* of a sphere */
+    item_list spheres; /* element_item */
+    double ellipse[2];
+    int fit_spheres;
+    double mass;
+    clast_vec3 inertia;
+    point_list outline;
+} shape_item;
+
+typedef struct part_item {
+    item item;
+    clast_part_def def;
+} part_item;
+
+typedef struct wall_item {
+    item item;
+    int part; /* -1: a part of its own that never moves, shared by all such walls */
+    clast_wall_def plane, plate; /* whichever the file gives */
+    int material;
+    clast_vec3 belt;
+} wall_item;
+
+typedef enum orientation_rule {
+    ORIENT_FIXED,
+    ORIENT_RANDOM,          /* uniform on the rotation group */
+    ORIENT_RANDOM_IN_PLANE  /* about the normal of the plane of motion */
+} orientation_rule;
+
+typedef struct rotation {
+    clast_vec3 axis;
+    double angle;
+    double quaternion[4];
+} rotation;
+
+/* grid, hexagonal and random share one struct: each fills what it has keys for. */
+typedef struct generator {
+    int shape, count;
+    clast_vec3 region_min, region_max;
+    clast_vec3 spacing;
+    double jitter;
+    double gap;
+    int attempts;
+    int orientation;
+    rotation turn; /* of ORIENT_FIXED */
+    clast_vec3 velocity, spin;
+} generator;
+
+typedef struct body_item {
+    item item;
+    int shape;
+    clast_vec3 position;
+    rotation turn;
+    clast_vec3 velocity, spin;
+    generator grid, hexagonal, random;
+    const char *csv, *from;
+} body_item;
+
+typedef struct measure_item {
+    item item;
+    measure discharged, remaining, solid_fraction, band_velocity, part_load;
+    double bed_x[2], band_x[2];
+} measure_item;
+
+typedef struct scene_draft {
+    const char *title;
+    clast_world_def def;
+    int motion; /* 0 3-D, 1 + axis in plane */
+    int clump_contact;
+    uint64_t seed;
+    item_list materials, pairs, shapes, parts, walls, bodies, measures;
+    ending ending;
+    output_plan output;
+    view view;
+    double size[2];
+    int projection; /* 0 orthographic, 1 perspective */
+    const char *preset, *map;
+} scene_draft;
+
+#endif
