@@ -1,6 +1,7 @@
 /* expression.c - the recursive-descent parser behind unit_parse(); its grammar stands in unit.h. */
 #include "experiments/scene/unit.h"
 #include "engine/clast.h"
+#include "experiments/scene/arena.h"
 
 #include <math.h>
 #include <stdarg.h>
