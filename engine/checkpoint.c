@@ -51,6 +51,7 @@ static void text_close(FILE *t) { CLAST_ASSERT(fclose(t) == 0); }
 
 static void describe_world(FILE *t, const clast_world *w) {
     const clast_world_def *d = &w->def;
+    fprintf(t, "bodies added %u\n", w->next_id);
     fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
     fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
              (int)d->unloading);
@@ -61,7 +62,6 @@ static void describe_world(FILE *t, const clast_world *w) {
              d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
              (int)d->outside);
     fprintf(t, "seed %llu\n", (unsigned long long)d->seed);
-    fprintf(t, "bodies added %u\n", w->next_id);
 }
 
 static void describe_materials(FILE *t, const clast_world *w) {
@@ -421,8 +421,7 @@ static void install(clast_world *w, const saved *s) {
     walls_move(w);
     pairs_rebuild(w);
     contacts_restore(w);
-    w->view.valid = false;
-    w->failure.failed = false;
+    w->failed = false;
 }
 
 static clast_status check_and_install(clast_world *w, const char *path, const saved *s) {
