@@ -13,7 +13,7 @@
 
 static void add_walls(clast_world *w, int steel) {
     int box = clast_part_add(w, &(clast_part_def){.name = "box"});
-    int plug = clast_part_add(w, &(clast_part_def){.name = "plug", .removed_at = 0.1});
+    int plug = clast_part_add(w, &(clast_part_def){.name = "plug", .removed_at = 0.2});
     int pusher = clast_part_add(
         w, &(clast_part_def){.name = "pusher", .velocity = {0.05, 0, 0}, .move_from = 0.02,
                              .move_until = 0.06});
@@ -106,7 +106,7 @@ scene *bed_scene(const bed_options *o) {
     CLAST_ASSERT(s->measures);
     memcpy(s->measures, MEASURES, sizeof MEASURES);
     s->measure_count = sizeof MEASURES / sizeof *MEASURES;
-    s->ending = (ending){.latest = o->latest > 0 ? o->latest : 0.25};
+    s->ending = (ending){.latest = o->latest > 0 ? o->latest : 0.3};
     s->output = (output_plan){.frame_every = 0.01, .series_every = 0.002, .checkpoint_every = 0.015,
                               .contacts = true};
     return s;

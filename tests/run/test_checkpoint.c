@@ -39,7 +39,7 @@ static void going_on_is_never_having_stopped(void **state) {
     (void)state;
     clast_world *a = bed_world(&(bed_options){0});
     assert_int_equal(clast_world_prepare(a), CLAST_OK);
-    uint64_t end = (uint64_t)(0.14 / clast_world_time_step(a));
+    uint64_t end = (uint64_t)(0.25 / clast_world_time_step(a));
     uint64_t want = whole_run(end);
     for (int i = 0; i <= 5; i++) {
         uint64_t at = end * (uint64_t)i / 5;
@@ -139,9 +139,9 @@ static void another_scene_inherits(void **state) {
     (void)state;
     clast_world *a = bed_world(&(bed_options){0});
     assert_int_equal(clast_world_prepare(a), CLAST_OK);
-    step_to(a, (uint64_t)(0.09 / clast_world_time_step(a)));
+    step_to(a, (uint64_t)(0.19 / clast_world_time_step(a)));
     assert_int_equal(clast_checkpoint_save(a, in_folder("c.h5"), NULL), CLAST_OK);
-    clast_world *b = bed_world(&(bed_options){.empty = true, .friction = 0.2});
+    clast_world *b = bed_world(&(bed_options){.empty = true});
     if (clast_checkpoint_inherit(b, in_folder("c.h5"))) fail_msg("%s", clast_world_error(b));
     assert_int_equal(clast_world_prepare(b), CLAST_OK);
     assert_int_equal(clast_world_steps(b), 0);
@@ -150,15 +150,19 @@ static void another_scene_inherits(void **state) {
     assert_true(ba.count > 0);
     double kinetic_a = clast_world_energy(a).kinetic, kinetic_b = clast_world_energy(b).kinetic;
     assert_true(kinetic_a > 0);
-    assert_float_equal(kinetic_b / kinetic_a, 1, 1e-9);
+    assert_float_equal(kinetic_b / kinetic_a, 1, 1e-4);
     clast_contact ca[200], cb[200];
     size_t na = clast_world_contacts(a, ca, 200), nb = clast_world_contacts(b, cb, 200);
-    assert_true(na > 10 && na <= 200 && nb >= na - 4 && nb <= na); /* the pusher is back where it began */
+    assert_true(na >= 8 && na <= 200 && nb + 4 >= na && nb <= na); /* the pusher is back */
     size_t kept = 0;
     for (size_t i = 0, k = 0; i < nb; i++, k++) {
-        while (k < na && (ca[k].a != cb[i].a || ca[k].b != cb[i].b || ca[k].sphere_a != cb[i].sphere_a)) k++;
+        while (k < na && (ca[k].a != cb[i].a || ca[k].b != cb[i].b ||
+                          ca[k].sphere_a != cb[i].sphere_a || ca[k].sphere_b != cb[i].sphere_b))
+            k++;
         assert_true(k < na);
-        kept += fabs(ca[k].overlap - cb[i].overlap) <= 1e-12;
+        clast_vec3 f = ca[k].force, g = cb[i].force;
+        double size = fabs(f.x) + fabs(f.z), off = fabs(f.x - g.x) + fabs(f.z - g.z);
+        kept += fabs(ca[k].overlap - cb[i].overlap) <= 1e-12 && off <= 0.02 * size;
     }
     assert_true(kept == nb);
     clast_world_free(a);
