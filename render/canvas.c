@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MAGIC = 0x63616e76, MAX_SIDE = 8192 };
+enum { MAGIC = 0x63616e76, MAX_SIDE = 8192, CELL_PX = 2 };
 
 /* One program per thing and projection; the projection is the index. */
 typedef struct programs {
@@ -183,6 +183,7 @@ void render_canvas_free(render_canvas *canvas) {
 
 static render_status prepare(render_canvas *c, const render_scene *scene, const render_lens *lens) {
     render_cull_def cull = {.occlusion = c->def.cull,
+                            .cell_px = CELL_PX * c->def.samples,
                             .outline = c->def.outline,
                             .outline_fade_px = c->def.outline_fade_px * c->def.samples};
     render_status status = render_cull_spheres(&c->cull, &scene->spheres, lens, &cull);

@@ -22,6 +22,7 @@ typedef struct render_cull {
 
 typedef struct render_cull_def {
     bool occlusion;         /* false: only what lies outside the picture is dropped */
+    int cell_px;            /* drawn pixels per cell of the z-buffer; changes time only */
     double outline;         /* 0 to 1 */
     double outline_fade_px; /* drawn pixels (picture pixels times samples) */
 } render_cull_def;

@@ -52,8 +52,8 @@ const char RENDER_BALL_VERTEX[] =
     "#endif\n"
     "}\n";
 
-/* A soft key light from the upper left that wraps a little around the sphere, over an ambient floor.
- * No highlight: it would bleach the colour that carries the value. */
+/* A soft key light from the upper left that wraps around the sphere (no hard terminator), over an
+ * ambient floor. No highlight: it would bleach the colour that carries the value. */
 const char RENDER_BALL_FRAGMENT[] =
     "flat in vec4 colour;\n"
     "flat in uint body;\n"
@@ -83,7 +83,8 @@ const char RENDER_BALL_FRAGMENT[] =
     "    vec3 normal = vec3(at, -sqrt(square));\n"
     "    gl_FragDepth = depth.x + depth.y * normal.z;\n"
     "#endif\n"
-    "    float key = max(0.0, 0.82 * dot(normal, vec3(-0.43, 0.62, -0.656)) + 0.18);\n"
+    "    float key = 0.5 + 0.5 * dot(normal, vec3(-0.43, 0.62, -0.656));\n"
+    "    key *= key;\n"
     "    pixel = vec4(colour.rgb * (ambient + (1.0 - ambient) * key), colour.a);\n"
     "    owner = body;\n"
     "}\n";
