@@ -25,9 +25,17 @@ static bool is_below(clast_vec3 a, clast_vec3 b) {
     return a.x < b.x && a.y < b.y && a.z < b.z;
 }
 
-/* Checks of a value make sense only where the value was given and could be read. */
-static bool was_given(const tree_node *node, const char *key) {
-    return tree_get(node, key) != NULL;
+static bool is_faulty(const scene_reader *r, const tree_node *node, const char *key) {
+    if (r->faults->errors == 0) return false;
+    const char *path = tree_path(r->arena, node, key);
+    for (int i = 0; i < r->faults->count; i++)
+        if (!strncmp(r->faults->items[i].key, path, strlen(path))) return true;
+    return false;
+}
+
+/* A value can be checked against others only where it was given and could be read. */
+static bool was_given(const scene_reader *r, const tree_node *node, const char *key) {
+    return tree_get(node, key) != NULL && !is_faulty(r, node, key);
 }
 
 /* ---- pairs ----------------------------------------------------------------------------------- */
@@ -155,8 +163,9 @@ static void check_parts(scene_reader *r, const scene_draft *d) {
 }
 
 static void check_direction(scene_reader *r, const tree_node *node, const char *key, clast_vec3 v) {
-    if (was_given(node, key) && length(v) == 0)
-        FAULT(node, key, "found [0, 0, 0], expected a direction");
+    if (!was_given(r, node, key)) return;
+    if (!(length(v) > 0) || !isfinite(length(v)))
+        FAULT(node, key, "found [%g, %g, %g], expected a direction", v.x, v.y, v.z);
 }
 
 static void check_wall(scene_reader *r, const wall_item *wall) {
@@ -167,6 +176,7 @@ static void check_wall(scene_reader *r, const wall_item *wall) {
     clast_vec3 n = wall->plate.normal, s = wall->plate.side;
     check_direction(r, plate, "normal", n);
     check_direction(r, plate, "side", s);
+    if (is_faulty(r, plate, NULL)) return;
     if (fabs(dot(n, s)) > 1e-9 * length(n) * length(s))
         FAULT(plate, "side", "found a direction that is not at right angles to the normal");
 }
@@ -174,7 +184,7 @@ static void check_wall(scene_reader *r, const wall_item *wall) {
 /* ---- bodies ---------------------------------------------------------------------------------- */
 
 static void check_box(scene_reader *r, const tree_node *node, clast_vec3 min, clast_vec3 max) {
-    if (was_given(node, "min") && was_given(node, "max") && !is_below(min, max))
+    if (was_given(r, node, "min") && was_given(r, node, "max") && !is_below(min, max))
         FAULT(node, "max", "found [%g, %g, %g] m, expected each above min, [%g, %g, %g] m", max.x,
               max.y, max.z, min.x, min.y, min.z);
 }
@@ -195,7 +205,7 @@ static void check_turn(scene_reader *r, const tree_node *node, const rotation *t
     if (!node) return;
     check_direction(r, node, "axis", t->axis);
     const double *q = t->quaternion;
-    if (was_given(node, "quaternion") && q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+    if (was_given(r, node, "quaternion") && q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
         FAULT(node, "quaternion", "found [0, 0, 0, 0], expected a rotation");
 }
 
@@ -204,12 +214,13 @@ static void check_generator(scene_reader *r, const scene_draft *d, const tree_no
     if (!node || node->kind != TREE_MAP) return;
     clast_vec3 min = g->region_min, max = g->region_max;
     const tree_node *region = tree_get(node, "region");
-    if (region && !(min.x <= max.x && min.y <= max.y && min.z <= max.z))
+    if (region && !is_faulty(r, region, NULL) &&
+        !(min.x <= max.x && min.y <= max.y && min.z <= max.z))
         FAULT(region, "max", "found a corner below min");
     if (g->orientation == ORIENT_RANDOM_IN_PLANE && d->motion == 0)
         FAULT(node, "orientation", "found 'random-in-plane', expected fixed or random: "
               "the motion is 3d");
-    if (g->orientation != ORIENT_FIXED && was_given(node, "turn"))
+    if (g->orientation != ORIENT_FIXED && was_given(r, node, "turn"))
         FAULT(node, "turn", "found beside a random orientation, expected orientation fixed");
     check_turn(r, tree_get(node, "turn"), &g->turn);
     check_motion(r, d, node, g->velocity, g->spin);
@@ -218,15 +229,15 @@ static void check_generator(scene_reader *r, const scene_draft *d, const tree_no
 static void check_single_body(scene_reader *r, const scene_draft *d, const body_item *body) {
     static const char *const OWN[] = {"position", "orientation", "velocity", "spin"};
     const tree_node *node = body->item.node;
-    if (was_given(node, "shape")) {
-        if (!was_given(node, "position"))
+    if (tree_get(node, "shape")) {
+        if (!tree_get(node, "position"))
             FAULT(node, "position", "missing, expected [x, y, z], each a length in m");
         check_turn(r, tree_get(node, "orientation"), &body->turn);
         check_motion(r, d, node, body->velocity, body->spin);
         return;
     }
     for (int i = 0; i < 4; i++)
-        if (was_given(node, OWN[i]))
+        if (tree_get(node, OWN[i]))
             FAULT(node, OWN[i], "found without 'shape', expected only for a single body");
 }
 
@@ -237,7 +248,7 @@ static void check_bodies(scene_reader *r, const scene_draft *d) {
         check_generator(r, d, tree_get(node, "grid"), &body->grid);
         check_generator(r, d, tree_get(node, "hexagonal"), &body->hexagonal);
         check_generator(r, d, tree_get(node, "random"), &body->random);
-        if (was_given(node, "from") && node->index > 0)
+        if (was_given(r, node, "from") && node->index > 0)
             FAULT(node, "from", "found behind other bodies, expected first: ids and contacts are "
                   "taken over from the earlier run");
     }
@@ -246,7 +257,7 @@ static void check_bodies(scene_reader *r, const scene_draft *d) {
 /* ---- the rest -------------------------------------------------------------------------------- */
 
 static void check_span(scene_reader *r, const tree_node *node, const double x[2]) {
-    if (node && was_given(node, "x") && !(x[0] < x[1]))
+    if (node && was_given(r, node, "x") && !(x[0] < x[1]))
         FAULT(node, "x", "found %g to %g m, expected the smaller first", x[0], x[1]);
 }
 
@@ -266,14 +277,16 @@ static void check_view(scene_reader *r, const scene_draft *d) {
     const view *v = &d->view;
     check_direction(r, node, "look_from", v->look_from);
     check_direction(r, node, "up", v->up);
-    double cosine = dot(v->look_from, v->up), product = length(v->look_from) * length(v->up);
-    if (product > 0 && fabs(cosine) > (1 - 1e-9) * product)
-        FAULT(node, was_given(node, "up") ? "up" : "look_from",
-              "found the direction of view, expected one across it");
-    if (d->size[0] != floor(d->size[0]) || d->size[1] != floor(d->size[1]))
+    if (was_given(r, node, "size") &&
+        (d->size[0] != floor(d->size[0]) || d->size[1] != floor(d->size[1])))
         FAULT(node, "size", "found a part of a pixel, expected whole numbers");
     const tree_node *box = tree_get(node, "box");
     if (box) check_box(r, box, v->box_min, v->box_max);
+    if (is_faulty(r, node, "look_from") || is_faulty(r, node, "up")) return;
+    double cosine = dot(v->look_from, v->up), product = length(v->look_from) * length(v->up);
+    if (product > 0 && fabs(cosine) > (1 - 1e-9) * product)
+        FAULT(node, was_given(r, node, "up") ? "up" : "look_from",
+              "found the direction of view, expected one across it");
 }
 
 void scene_check(scene_reader *r, const scene_draft *draft) {
@@ -286,6 +299,7 @@ void scene_check(scene_reader *r, const scene_draft *draft) {
     check_measures(r, draft);
     check_view(r, draft);
     const tree_node *domain = tree_get(r->root, "domain");
-    if (domain && !is_below(draft->def.domain_min, draft->def.domain_max))
+    if (domain && !is_faulty(r, domain, NULL) &&
+        !is_below(draft->def.domain_min, draft->def.domain_max))
         FAULT(domain, "max", "found a corner that is not above min in x, y and z");
 }

@@ -119,10 +119,13 @@ static bool numbers(scene_reader *r, const scene_key *key, const tree_node *node
         expected(r, key, node);
         return false;
     }
+    scene_key one = *key; /* a fault of one number tells what that number should be */
+    one.kind = KEY_NUMBER;
+    one.word = NULL;
     bool good = true;
     int i = 0;
     for (const tree_node *child = node->first; child; child = child->next, i++)
-        good = number(r, key, child, &out[i]) && good;
+        good = number(r, &one, child, &out[i]) && good;
     return good;
 }
 

@@ -16,7 +16,7 @@ typedef struct table {
     scene_reader *r;
     const scene_draft *draft;
     const char *path;
-    int line, faults;
+    int line, line_of_heading, faults;
     int column[COLUMNS]; /* of the file: which of NAMES stands there */
     int columns;
     double value[COLUMNS];
@@ -124,11 +124,13 @@ static void read_lines(table *t, crowd *c, FILE *file, int source) {
             return;
         }
         if (is_blank(line)) continue;
-        if (t->columns > 0)
+        if (t->line_of_heading > 0) {
             read_body(t, c, line, source);
-        else
-            read_heading(t, line);
-        if (t->columns < NEEDED || (c->count == before && t->faults > FAULTS_MAX)) return;
+            continue;
+        }
+        t->line_of_heading = t->line;
+        read_heading(t, line);
+        if (t->faults) return; /* of the lines below nothing can be said */
     }
     if (c->count == before && t->faults == 0) FAULT(t, "", "found no bodies");
 }

@@ -34,7 +34,15 @@ static int line_of(const yaml_node_t *node) {
     return (int)node->start_mark.line + 1;
 }
 
-static tree_node *convert(loader *l, int id, const tree_node *parent, int key_line, int depth);
+/* What is known of a node before its inside is read; faults inside need it for their path. */
+typedef struct place {
+    const tree_node *parent;
+    const char *key;
+    int key_line; /* 0 in a list */
+    int depth;
+} place;
+
+static tree_node *convert(loader *l, int id, place at);
 
 static void append(tree_node *parent, tree_node **last, tree_node *child) {
     if (*last)
@@ -42,14 +50,14 @@ static void append(tree_node *parent, tree_node **last, tree_node *child) {
     else
         parent->first = child;
     *last = child;
-    child->index = parent->children++;
+    parent->children++;
 }
 
 static void convert_list(loader *l, const yaml_node_t *from, tree_node *list, int depth) {
     tree_node *last = NULL;
     const yaml_node_item_t *item = from->data.sequence.items.start;
     for (; item < from->data.sequence.items.top; item++) {
-        tree_node *child = convert(l, *item, list, 0, depth);
+        tree_node *child = convert(l, *item, (place){.parent = list, .depth = depth});
         if (!child) return;
         append(list, &last, child);
     }
@@ -77,9 +85,9 @@ static void convert_map(loader *l, const yaml_node_t *from, tree_node *map, int 
         char *key = scene_copy(l->arena, (const char *)name->data.scalar.value,
                                name->data.scalar.length);
         if (is_repeated(l, map, key, line_of(name))) continue;
-        tree_node *child = convert(l, pair->value, map, line_of(name), depth);
+        place at = {.parent = map, .key = key, .key_line = line_of(name), .depth = depth};
+        tree_node *child = convert(l, pair->value, at);
         if (!child) return;
-        child->key = key;
         append(map, &last, child);
     }
 }
@@ -96,11 +104,11 @@ static tree_node *convert_scalar(loader *l, const yaml_node_t *from, tree_node *
     return node;
 }
 
-static tree_node *convert(loader *l, int id, const tree_node *parent, int key_line, int depth) {
+static tree_node *convert(loader *l, int id, place at) {
     const yaml_node_t *from = yaml_document_get_node(l->document, id);
     SCENE_ASSERT(from);
     if (l->stopped) return NULL;
-    if (depth > DEPTH_MAX || ++l->nodes > NODES_MAX) {
+    if (at.depth > DEPTH_MAX || ++l->nodes > NODES_MAX) {
         l->stopped = true;
         scene_report(l->faults, line_of(from), "",
                      "nested too deeply, expected at most %d levels (an alias of itself?)",
@@ -108,17 +116,19 @@ static tree_node *convert(loader *l, int id, const tree_node *parent, int key_li
         return NULL;
     }
     tree_node *node = scene_alloc(l->arena, sizeof *node);
-    node->parent = parent;
-    node->line = key_line > 0 ? key_line : line_of(from);
+    node->parent = at.parent;
+    node->key = at.key;
+    node->index = at.parent ? at.parent->children : 0;
+    node->line = at.key_line > 0 ? at.key_line : line_of(from);
     if (from->type == YAML_SCALAR_NODE) {
         node->line = line_of(from);
         return convert_scalar(l, from, node);
     }
     node->kind = from->type == YAML_MAPPING_NODE ? TREE_MAP : TREE_LIST;
     if (node->kind == TREE_MAP)
-        convert_map(l, from, node, depth + 1);
+        convert_map(l, from, node, at.depth + 1);
     else
-        convert_list(l, from, node, depth + 1);
+        convert_list(l, from, node, at.depth + 1);
     return node;
 }
 
@@ -128,10 +138,13 @@ static void report_syntax(scene_faults *faults, const yaml_parser_t *parser) {
                      "found a byte that is no text (%s), expected UTF-8", parser->problem);
         return;
     }
-    scene_report(faults, (int)parser->problem_mark.line + 1, "", "YAML: %s%s%s (column %d)",
-                 parser->context ? parser->context : "", parser->context ? ": " : "",
+    const char *begun = parser->context ? scene_print(faults->arena, ", %s begun in line %d",
+                                                      parser->context,
+                                                      (int)parser->context_mark.line + 1)
+                                        : "";
+    scene_report(faults, (int)parser->problem_mark.line + 1, "", "YAML: %s in column %d%s",
                  parser->problem ? parser->problem : "cannot be read",
-                 (int)parser->problem_mark.column + 1);
+                 (int)parser->problem_mark.column + 1, begun);
 }
 
 static const tree_node *convert_document(loader *l) {
@@ -146,7 +159,7 @@ static const tree_node *convert_document(loader *l) {
         scene_report(l->faults, line_of(root), "", "found no 'key: value' lines, expected a scene");
         return NULL;
     }
-    const tree_node *tree = convert(l, 1, NULL, 0, 0);
+    const tree_node *tree = convert(l, 1, (place){0});
     return l->stopped ? NULL : tree;
 }
 

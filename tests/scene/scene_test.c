@@ -1,0 +1,341 @@
+/* scene_test.c - a scene with every key set, read back; defaults; --set; the reference in the README. */
+#include "tests/scene/testing.h"
+
+#include "experiments/scene/build.h"
+#include "experiments/scene/scene.h"
+#include "experiments/scene/schema.h"
+
+static const char GOOD[] = CLAST_SCENES "/good.yaml";
+static const char SMALL[] = CLAST_SCENES "/small.yaml";
+
+static scene *load(const char *path, const char *const *set, int count) {
+    char *faults = NULL;
+    scene_options options = {.set = set, .set_count = count};
+    scene *s = scene_load(path, &options, &faults);
+    if (!s || faults) fail_msg("%s", faults ? faults : "no scene, no faults");
+    return s;
+}
+
+static void same(clast_vec3 v, double x, double y, double z) {
+    if (v.x != x || v.y != y || v.z != z)
+        fail_msg("got %.17g %.17g %.17g, expected %.17g %.17g %.17g", v.x, v.y, v.z, x, y, z);
+}
+
+#define SAME(a, b) assert_memory_equal(&(double){(a)}, &(double){(b)}, sizeof(double))
+
+/* The stages of scene_load() up to the draft, for what a world does not give back. */
+typedef struct opened {
+    scene_arena arena;
+    scene_faults faults;
+    scene_parameters parameters;
+    scene_draft draft;
+} opened;
+
+static void open_draft(opened *o, const char *path) {
+    char *text = read_all(path, NULL);
+    *o = (opened){.faults = {.arena = &o->arena, .file = path},
+                  .draft = {.def = clast_world_def_default()}};
+    const tree_node *root = scene_tree_load(&o->arena, &o->faults, text, strlen(text));
+    assert_non_null(root);
+    o->parameters = scene_parameters_read(&o->arena, &o->faults, root);
+    scene_reader reader = {.arena = &o->arena, .faults = &o->faults, .parameters = &o->parameters,
+                           .root = root, .folder = CLAST_SCENES "/"};
+    scene_read(&reader, &o->draft);
+    scene_check(&reader, &o->draft);
+    assert_int_equal(o->faults.count, 0);
+    free(text);
+}
+
+static void materials_and_pairs_are_read(void **state) {
+    (void)state;
+    opened o;
+    open_draft(&o, GOOD);
+    const material_item *m = o.draft.materials.items;
+    assert_int_equal(o.draft.materials.count, 2);
+    assert_string_equal(m[0].item.name, "plastic");
+    SAME(m[0].def.density, 1256);
+    SAME(m[0].def.young, 3.5e9);
+    SAME(m[0].def.poisson, 0.31);
+    SAME(m[1].def.poisson, 0.22);
+    const pair_item *p = o.draft.pairs.items;
+    assert_int_equal(o.draft.pairs.count, 3);
+    assert_true(p[1].between[0] == 0 && p[1].between[1] == 1);
+    SAME(p[0].def.restitution, 0.72);
+    SAME(p[0].def.friction, 0.2);
+    SAME(p[0].def.stiffness, 11000);
+    SAME(p[0].def.tangential_ratio, 2.0 / 7);
+    SAME(p[1].def.cohesion, 0.002);
+    SAME(p[2].def.tangential_ratio, 0.4);
+    scene_arena_free(&o.arena);
+}
+
+static void generators_are_read(void **state) {
+    (void)state;
+    opened o;
+    open_draft(&o, GOOD);
+    const body_item *b = o.draft.bodies.items;
+    assert_int_equal(o.draft.bodies.count, 6);
+    const generator *grid = &b[2].grid, *random = &b[4].random;
+    assert_int_equal(grid->shape, 0);
+    assert_int_equal(grid->count, 7);
+    same(grid->region_min, -0.1, 0, 0);
+    same(grid->spacing, 0.02, 0.02, 0.018);
+    SAME(grid->jitter, 0.1);
+    SAME(grid->turn.angle, -10 * 0.017453292519943295);
+    same(grid->velocity, 0, 0, -0.01);
+    same(grid->spin, 0, 1, 0);
+    assert_int_equal(b[3].hexagonal.count, 0);
+    assert_int_equal(b[3].hexagonal.orientation, ORIENT_RANDOM_IN_PLANE);
+    SAME(b[3].hexagonal.spacing.x, 0.009);
+    assert_int_equal(random->count, 11);
+    assert_int_equal(random->attempts, 500);
+    SAME(random->gap, 0.0005);
+    assert_int_equal(random->orientation, ORIENT_RANDOM);
+    scene_arena_free(&o.arena);
+}
+
+static void the_world_is_defined(void **state) {
+    (void)state;
+    scene *s = load(GOOD, NULL, 0);
+    const clast_world_def *d = clast_world_definition(s->world);
+    same(d->gravity, 0.5, 0, -9.79);
+    assert_int_equal(d->law, CLAST_LAW_LINEAR);
+    assert_int_equal(d->limit, CLAST_LIMIT_SPRING);
+    assert_int_equal(d->unloading, CLAST_UNLOAD_AS_PRINTED);
+    assert_int_equal(d->motion, CLAST_MOTION_IN_PLANE);
+    assert_int_equal(d->plane_axis, 1);
+    SAME(d->global_damping, 0.3);
+    SAME(d->rayleigh_fraction, 0.3);
+    SAME(d->contact_resolution, 25);
+    SAME(d->impact_speed, 2);
+    same(d->domain_min, -3, -1, -1);
+    same(d->domain_max, 3, 1, 4);
+    assert_int_equal(d->outside, CLAST_OUTSIDE_REMOVE);
+    assert_int_equal(d->guards, CLAST_GUARD_REPORT);
+    SAME(d->max_overlap, 0.06);
+    SAME(d->max_displacement, 0.2);
+    SAME(d->max_residual, 0.07);
+    assert_int_equal(d->threads, 1);
+    assert_int_equal(d->isa, CLAST_ISA_BASELINE);
+    SAME(d->skin, 0.001);
+    assert_int_equal(d->seed, 77);
+    SAME(clast_world_time_step(s->world), 4.5e-6);
+    scene_free(s);
+}
+
+static void shapes_and_walls_are_built(void **state) {
+    (void)state;
+    scene *s = load(GOOD, NULL, 0);
+    clast_shape_def button = clast_world_shape(s->world, 0), rod = clast_world_shape(s->world, 2);
+    assert_string_equal(button.name, "button");
+    assert_int_equal(button.spheres, 7);
+    SAME(button.mass, 0.000332);
+    same(button.inertia, 2.3e-9, 6.3e-9, 4e-9);
+    assert_int_equal(button.outline_points, 4);
+    SAME(button.outline[3], 0.0053);
+    assert_int_equal(rod.spheres, 2);
+    SAME(rod.centre[0].x, -0.002);
+    assert_int_equal(clast_world_part_count(s->world), 3);
+    clast_part_def gate = clast_world_part(s->world, 1);
+    same(gate.velocity, 0, 0, -0.02);
+    SAME(gate.move_from, 0.1);
+    SAME(gate.move_until, 0.2);
+    SAME(gate.removed_at, 1);
+    assert_int_equal(clast_world_wall_count(s->world), 3);
+    clast_wall_def flap = clast_world_wall(s->world, 1);
+    assert_int_equal(clast_world_wall_part(s->world, 1), 1);
+    assert_int_equal(clast_world_wall_part(s->world, 2), 2);
+    assert_int_equal(flap.kind, CLAST_WALL_PLATE);
+    same(flap.point, 0.05, 0, 0.3);
+    SAME(flap.half_side[0], (0.15 - 0.1) / 4);
+    SAME(flap.half_side[1], 0.5);
+    same(flap.belt_velocity, 0.25, 0, 0);
+    assert_int_equal(clast_world_wall(s->world, 0).kind, CLAST_WALL_PLANE);
+    scene_free(s);
+}
+
+/* Columns are in storage order: look a body up by its id. */
+static size_t slot_of(const clast_bodies *b, uint32_t id) {
+    for (size_t i = 0; i < b->count; i++)
+        if (b->id[i] == id) return i;
+    fail_msg("no body %u", id);
+    return 0;
+}
+
+static void bodies_are_placed(void **state) {
+    (void)state;
+    scene *s = load(GOOD, NULL, 0);
+    clast_bodies b = clast_world_bodies(s->world);
+    size_t ball = slot_of(&b, 0), rod = slot_of(&b, 1), last = slot_of(&b, (uint32_t)b.count - 1);
+    SAME(b.z[ball], 1.5);
+    assert_true(fabs(b.qw[ball] - cos(15 * 0.017453292519943295)) < 1e-15);
+    assert_true(fabs(b.vx[ball] - 1) < 1e-4 && fabs(b.wy[ball] - 120 * 6.283185307179586 / 60) < 1e-4);
+    assert_true(fabs(b.qw[rod] - 0.6) < 1e-15 && fabs(b.qy[rod] - 0.8) < 1e-15);
+    assert_int_equal(b.shape[last], 2);
+    SAME(b.x[last], 0.6);
+    size_t thrown = slot_of(&b, (uint32_t)b.count - 2);
+    SAME(b.x[thrown], 0.5);
+    assert_true(fabs(b.vz[thrown] + 0.25) < 1e-4);
+    scene_free(s);
+}
+
+static void measures_are_read(void **state) {
+    (void)state;
+    scene *s = load(GOOD, NULL, 0);
+    const measure *m = s->measures;
+    assert_int_equal(s->measure_count, 6);
+    assert_string_equal(m[0].name, "out");
+    assert_int_equal(m[0].kind, MEASURE_DISCHARGED);
+    SAME(m[0].level, 0.01);
+    assert_int_equal(m[1].kind, MEASURE_REMAINING);
+    SAME(m[1].level, 0.02);
+    assert_int_equal(m[2].kind, MEASURE_SOLID_FRACTION);
+    SAME(m[2].level, 0.03);
+    SAME(m[2].x_min, -0.075);
+    SAME(m[2].x_max, 0.075);
+    assert_int_equal(m[2].sections, 12);
+    SAME(m[2].body_area, 1.149e-4);
+    assert_int_equal(m[3].kind, MEASURE_BAND_VELOCITY);
+    SAME(m[3].level, 0.04);
+    SAME(m[3].height, 0.09);
+    SAME(m[3].thickness, 0.012);
+    SAME(m[3].x_max, 0.07);
+    assert_int_equal(m[4].kind, MEASURE_COORDINATION);
+    assert_int_equal(m[5].kind, MEASURE_PART_LOAD);
+    assert_int_equal(m[5].part, 1);
+    scene_free(s);
+}
+
+static void output_and_view_are_read(void **state) {
+    (void)state;
+    scene *s = load(GOOD, NULL, 0);
+    assert_string_equal(s->title, "two grains and a box of buttons");
+    SAME(s->ending.latest, 3);
+    SAME(s->ending.rest_speed, 0.001);
+    SAME(s->ending.rest_for, 0.1);
+    SAME(s->output.frame_every, 1 / 50.0);
+    SAME(s->output.series_every, 0.002);
+    SAME(s->output.checkpoint_every, 0.5);
+    assert_true(s->output.contacts);
+    const view *v = &s->view;
+    assert_string_equal(v->preset, "draft");
+    assert_string_equal(v->map, "cividis");
+    assert_true(v->width == 640 && v->height == 480);
+    assert_int_equal(v->colour, COLOUR_SPEED_BANDS);
+    SAME(v->speed_max, 1.5);
+    same(v->look_from, 0.1, -1, 0.2);
+    same(v->up, 0, 0.1, 1);
+    same(v->box_min, -0.08, -0.01, 0);
+    same(v->box_max, 0.08, 0.01, 1.6);
+    assert_true(v->perspective && !v->walls);
+    SAME(v->frames_per_second, 30);
+    scene_free(s);
+}
+
+static void what_is_left_out_has_its_default(void **state) {
+    (void)state;
+    scene *s = load(SMALL, NULL, 0);
+    const clast_world_def *d = clast_world_definition(s->world);
+    clast_world_def engine = clast_world_def_default();
+    same(d->gravity, 0, 0, -9.81);
+    assert_int_equal(d->law, engine.law);
+    SAME(d->rayleigh_fraction, engine.rayleigh_fraction);
+    SAME(d->contact_resolution, engine.contact_resolution);
+    same(d->domain_min, engine.domain_min.x, engine.domain_min.y, engine.domain_min.z);
+    same(d->domain_max, engine.domain_max.x, engine.domain_max.y, engine.domain_max.z);
+    SAME(d->max_overlap, engine.max_overlap);
+    SAME(d->max_displacement, engine.max_displacement);
+    SAME(d->max_residual, engine.max_residual);
+    assert_int_equal(d->seed, 1);
+    SAME(s->output.frame_every, 0.04);
+    SAME(s->output.series_every, 0.01);
+    SAME(s->output.checkpoint_every, 0);
+    SAME(s->ending.rest_for, 0);
+    assert_true(s->view.width == 1280 && s->view.height == 720 && s->view.walls);
+    assert_false(s->view.perspective);
+    assert_string_equal(s->view.preset, "final");
+    assert_int_equal(s->measure_count, 0);
+    scene_free(s);
+}
+
+static void set_replaces_parameters(void **state) {
+    (void)state;
+    static const char *const SET[] = {"orifice=5cm", "friction=0.5", "kind=\"bag's\": #1"};
+    scene *s = load(GOOD, SET, 3);
+    SAME(clast_world_wall(s->world, 1).half_side[0], (0.15 - 0.05) / 4);
+    assert_string_equal(s->title, "two grains and a \"bag's\": #1 of buttons");
+    assert_non_null(strstr(s->text, "\n  orifice: 5cm\n"));
+    /* The text that goes into a result must make the same scene again. */
+    char path[] = CLAST_SCENE_SCRATCH "/again.yaml";
+    write_all(path, s->text, strlen(s->text));
+    char *csv = read_all(CLAST_SCENES "/start.csv", NULL);
+    write_all(CLAST_SCENE_SCRATCH "/start.csv", csv, strlen(csv));
+    scene *again = load(path, NULL, 0);
+    assert_string_equal(s->title, again->title);
+    assert_true(clast_world_hash(s->world) == clast_world_hash(again->world));
+    scene_free(again);
+    scene_free(s);
+    free(csv);
+}
+
+static void set_faults(const char *set, const char *expected) {
+    char *faults = NULL;
+    scene_options options = {.set = &set, .set_count = 1};
+    scene *s = scene_load(GOOD, &options, &faults);
+    assert_null(s);
+    if (!strstr(faults, expected)) fail_msg("%s: %s", set, faults);
+    free(faults);
+}
+
+static void set_is_checked(void **state) {
+    (void)state;
+    set_faults("orifise=5cm", "--set: found 'orifise=5cm': unknown parameter 'orifise', "
+                              "did you mean 'orifice'?");
+    set_faults("orifice", "--set: found 'orifice', expected name=value");
+    set_faults("orifice=", "expected name=value");
+    set_faults("orifice=5", "--set orifice: found '5', expected a length with its unit, as in "
+                            "'10 cm' of line 5");
+    set_faults("orifice=5 s", "--set orifice: found '5 s', expected a length");
+    set_faults("orifice=5 cmm", "--set orifice: found '5 cmm': unknown unit 'cmm'");
+    set_faults("friction=rough", "parameters.friction: found 'rough'");
+}
+
+static void options_win_over_the_scene(void **state) {
+    (void)state;
+    char *faults = NULL;
+    scene_options options = {.threads = 2, .isa = CLAST_ISA_BASELINE};
+    scene *s = scene_load(SMALL, &options, &faults);
+    assert_non_null(s);
+    assert_int_equal(clast_world_definition(s->world)->threads, 2);
+    assert_int_equal(clast_world_definition(s->world)->isa, CLAST_ISA_BASELINE);
+    scene_free(s);
+    free(faults);
+}
+
+/* README.md embeds the output of `clast check --keys`: the tables cannot drift from the code. */
+static void the_readme_has_the_reference(void **state) {
+    (void)state;
+    char *readme = read_all(CLAST_SCENE_README, NULL), *reference = schema_reference();
+    if (!strstr(readme, reference))
+        fail_msg("%s lacks the present output of `clast check --keys`", CLAST_SCENE_README);
+    free(reference);
+    free(readme);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(materials_and_pairs_are_read),
+        cmocka_unit_test(generators_are_read),
+        cmocka_unit_test(the_world_is_defined),
+        cmocka_unit_test(shapes_and_walls_are_built),
+        cmocka_unit_test(bodies_are_placed),
+        cmocka_unit_test(measures_are_read),
+        cmocka_unit_test(output_and_view_are_read),
+        cmocka_unit_test(what_is_left_out_has_its_default),
+        cmocka_unit_test(set_replaces_parameters),
+        cmocka_unit_test(set_is_checked),
+        cmocka_unit_test(options_win_over_the_scene),
+        cmocka_unit_test(the_readme_has_the_reference),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
