@@ -101,17 +101,6 @@ char *folder_part(const char *folder, long number) {
     return text_format("%s/" FOLDER_FRAMES "/%06ld.h5", folder, number);
 }
 
-void folder_drop_parts(const char *path, bool drop(const char *part, void *context), void *context) {
-    size_t count;
-    long *numbers = folder_parts(path, &count);
-    for (size_t i = 0; i < count; i++) {
-        char *part = folder_part(path, numbers[i]);
-        if (drop(part, context)) remove(part);
-        free(part);
-    }
-    free(numbers);
-}
-
 static bool always(const char *part, void *context) {
     (void)part, (void)context;
     return true;
@@ -130,13 +119,26 @@ static void remove_ending(const char *path, const char *ending) {
     if (d) closedir(d);
 }
 
+void folder_drop_parts(const char *path, bool drop(const char *part, void *context), void *context) {
+    size_t count;
+    long *numbers = folder_parts(path, &count);
+    for (size_t i = 0; i < count; i++) {
+        char *part = folder_part(path, numbers[i]);
+        if (drop(part, context)) remove(part);
+        free(part);
+    }
+    free(numbers);
+    char *frames = path_in(path, FOLDER_FRAMES);
+    remove_ending(frames, ".h5.tmp");
+    free(frames);
+}
+
 int folder_clear_run(const char *path) {
     static const char *const OURS[] = {FILE_RUN,        FILE_XDMF,   FILE_SERIES,
                                        FILE_CHECKPOINT, FILE_FAILED, FILE_SCENE};
     int failure = 0;
     folder_drop_parts(path, always, NULL);
     char *frames = path_in(path, FOLDER_FRAMES);
-    remove_ending(frames, ".h5.tmp");
     rmdir(frames);
     free(frames);
     remove_ending(path, ".samples.csv");

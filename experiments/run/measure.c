@@ -86,9 +86,12 @@ void measure_start(measure_memory *memory, const moment *start, uint32_t ids) {
     memory->mass = calloc((size_t)ids + 1, sizeof *memory->mass);
     memory->below = calloc((size_t)ids + 1, 1);
     CLAST_ASSERT(memory->mass && memory->below);
+    memset(memory->below, BELOW_ABSENT, ids);
     for (size_t i = 0; i < start->bodies.count; i++) {
-        CLAST_ASSERT(start->bodies.id[i] < ids);
-        memory->mass[start->bodies.id[i]] = start->bodies.mass[i];
+        uint32_t id = start->bodies.id[i];
+        CLAST_ASSERT(id < ids);
+        memory->mass[id] = start->bodies.mass[i];
+        memory->below[id] = BELOW_NOT_YET;
     }
 }
 

@@ -30,11 +30,14 @@ typedef struct moment {
 void moment_take(moment *m, clast_world *w, bool with_contacts);
 void moment_free(moment *m);
 
+/* Whether a body has been below the level; absent bodies had left before the run began. */
+enum { BELOW_NOT_YET, BELOW_ONCE, BELOW_ABSENT };
+
 /* What a measure remembers between moments. */
 typedef struct measure_memory {
     uint32_t ids;         /* bodies ever added */
     double *mass;         /* kg, by id */
-    unsigned char *below; /* discharged: by id, 1 = has been below the level */
+    unsigned char *below; /* discharged: by id */
     table samples;        /* band velocity: every body of the band */
     bool sampling;
 } measure_memory;

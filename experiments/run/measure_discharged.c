@@ -10,9 +10,10 @@ static int values(const measure *m, measure_memory *memory, const moment *now, d
     double kg = 0, count = 0;
     for (uint32_t id = 0; id < memory->ids; id++) {
         bool here = next < now->bodies.count && now->bodies.id[now->order[next]] == id;
-        if (!here || now->bodies.z[now->order[next]] < m->level) memory->below[id] = 1;
+        bool below = !here || now->bodies.z[now->order[next]] < m->level;
+        if (below && memory->below[id] == BELOW_NOT_YET) memory->below[id] = BELOW_ONCE;
         next += here;
-        if (!memory->below[id]) continue;
+        if (memory->below[id] != BELOW_ONCE) continue;
         kg += memory->mass[id];
         count += 1;
     }

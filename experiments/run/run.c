@@ -1,0 +1,421 @@
+#include "experiments/run/run.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/check.h"
+#include "engine/hdf5_io.h"
+#include "experiments/run/archive.h"
+#include "experiments/run/folder.h"
+#include "experiments/run/progress.h"
+#include "experiments/run/recorder.h"
+#include "experiments/run/schedule.h"
+
+enum { REST_SAMPLES = 20 }; /* looks at the speeds so many times within rest_for */
+#define NEVER_QUIET UINT64_MAX
+
+typedef struct run {
+    scene *scene;
+    const run_options *options;
+    clast_world *world;
+    recorder recorder;
+    progress progress;
+    schedule frames, rows, checkpoints, rest;
+    uint64_t last_step, rest_steps;
+    uint64_t quiet_from;  /* step since when nothing has been fast */
+    long next_frame;      /* number of the next frame */
+    uint64_t loaded_step; /* of the checkpoint that was resumed */
+    bool loaded_extra;    /* rows at that step were the end of a run, not due */
+    bool extra;           /* likewise for the checkpoint to be written */
+    run_report report;
+} run;
+
+/* ---- signals ----------------------------------------------------------------------------------------- */
+
+static volatile sig_atomic_t stop_asked;
+
+static void ask_to_stop(int signal_number) {
+    (void)signal_number;
+    stop_asked = 1;
+}
+
+typedef struct signals {
+    struct sigaction interrupt, terminate, file_size;
+} signals;
+
+/* A second signal kills (SA_RESETHAND). Who started us with signals ignored keeps them so. */
+static void catch_one(int number, struct sigaction *old) {
+    struct sigaction ours = {.sa_handler = ask_to_stop, .sa_flags = (int)SA_RESETHAND};
+    sigemptyset(&ours.sa_mask);
+    sigaction(number, NULL, old);
+    if (old->sa_handler != SIG_IGN) sigaction(number, &ours, NULL);
+}
+
+static void signals_catch(signals *old) {
+    stop_asked = 0;
+    catch_one(SIGINT, &old->interrupt);
+    catch_one(SIGTERM, &old->terminate);
+    struct sigaction ignore = {.sa_handler = SIG_IGN}; /* a file too large is an error to report */
+    sigemptyset(&ignore.sa_mask);
+    sigaction(SIGXFSZ, &ignore, &old->file_size);
+}
+
+static void signals_restore(const signals *old) {
+    sigaction(SIGINT, &old->interrupt, NULL);
+    sigaction(SIGTERM, &old->terminate, NULL);
+    sigaction(SIGXFSZ, &old->file_size, NULL);
+}
+
+/* ---- failures ------------------------------------------------------------------------------------------ */
+
+/* Keeps the first failure; always false, for returning. */
+static bool ends(run *r, run_end end, const char *format, ...) {
+    if (r->report.end != RUN_DONE) return false;
+    r->report.end = end;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(r->report.message, sizeof r->report.message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool cannot_write(run *r, const char *file, int failure) {
+    return ends(r, RUN_WRITE_FAILED, "%s/%s: cannot be written: %s", r->options->out, file,
+                strerror(failure));
+}
+
+/* ---- the note in the checkpoint: what the run layer must remember ------------------------------------ */
+
+static char *note_text(const run *r) {
+    char *text;
+    size_t length;
+    FILE *to = open_memstream(&text, &length);
+    CLAST_ASSERT(to);
+    fprintf(to, "clast run 1\nextra %d\n", r->extra);
+    if (r->quiet_from != NEVER_QUIET)
+        fprintf(to, "quiet_from %llu\n", (unsigned long long)r->quiet_from);
+    recorder_write_memory(&r->recorder, to);
+    CLAST_ASSERT(fclose(to) == 0);
+    return text;
+}
+
+static void note_read(run *r, const char *note) {
+    const char *quiet = strstr(note, "\nquiet_from "), *extra = strstr(note, "\nextra 1");
+    if (quiet) r->quiet_from = strtoull(quiet + strlen("\nquiet_from "), NULL, 10);
+    r->loaded_extra = extra != NULL;
+    recorder_read_memory(&r->recorder, note);
+}
+
+/* ---- what is written ------------------------------------------------------------------------------------ */
+
+static bool write_checkpoint(run *r) {
+    int failure = recorder_sync(&r->recorder); /* a checkpoint must not be newer than the rows */
+    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    char *path = path_in(r->options->out, FILE_CHECKPOINT), *note = note_text(r);
+    clast_status status = clast_checkpoint_save(r->world, path, note);
+    free(note);
+    free(path);
+    return status == CLAST_OK || ends(r, RUN_WRITE_FAILED, "%s", clast_world_error(r->world));
+}
+
+static bool write_row(run *r) {
+    int failure = recorder_row(&r->recorder);
+    return !failure || cannot_write(r, FILE_SERIES, failure);
+}
+
+static bool write_frame(run *r) {
+    char *path = folder_part(r->options->out, r->next_frame);
+    clast_status status = clast_frame_write(r->world, path, r->scene->output.contacts);
+    free(path);
+    if (status != CLAST_OK) return ends(r, RUN_WRITE_FAILED, "%s", clast_world_error(r->world));
+    r->next_frame++;
+    return true;
+}
+
+static bool keep_step(uint64_t step, const void *context) {
+    const run *r = context;
+    return step < r->loaded_step || (step == r->loaded_step && !r->loaded_extra);
+}
+
+static bool keep_frame(const frame_place *place, const void *context) {
+    return keep_step(place->step, context);
+}
+
+static bool assemble(run *r, const char *end, bool drop_later) {
+    archive_facts facts = {.scene = r->scene, .end = end, .hash = clast_world_hash(r->world),
+                           .steps = clast_world_steps(r->world), .time = clast_world_time(r->world),
+                           .keep_frame = drop_later ? keep_frame : NULL, .context = r};
+    char error[H5_ERROR_MAX];
+    clast_status status = archive_assemble(r->options->out, &facts, error);
+    if (status == CLAST_OK) return true;
+    return ends(r, status == CLAST_ERR_WRITE ? RUN_WRITE_FAILED : RUN_UNREADABLE, "%s", error);
+}
+
+/* ---- beginning ------------------------------------------------------------------------------------------ */
+
+static bool make_folders(run *r) {
+    int failure = folder_make(r->options->out);
+    if (failure) return ends(r, RUN_WRITE_FAILED, "%s: cannot be made: %s", r->options->out,
+                             strerror(failure));
+    char *frames = path_in(r->options->out, FOLDER_FRAMES);
+    failure = folder_make(frames);
+    free(frames);
+    return !failure || cannot_write(r, FOLDER_FRAMES, failure);
+}
+
+static bool write_scene(run *r) {
+    char *path = path_in(r->options->out, FILE_SCENE);
+    int failure = file_write_text(path, r->scene->text ? r->scene->text : "");
+    free(path);
+    return !failure || cannot_write(r, FILE_SCENE, failure);
+}
+
+/* What falls on the step where the world is now. */
+static bool write_due(run *r) {
+    uint64_t now = clast_world_steps(r->world);
+    if (schedule_is_due(&r->rows, now) && !write_row(r)) return false;
+    if (schedule_is_due(&r->frames, now) && !write_frame(r)) return false;
+    return !schedule_is_due(&r->checkpoints, now) || write_checkpoint(r);
+}
+
+/* A checkpoint at once: it proves that the folder takes files, and marks whose folder it is. */
+static bool begin_fresh(run *r) {
+    int failure = folder_clear_run(r->options->out);
+    if (failure) return cannot_write(r, "", failure);
+    if (!make_folders(r) || !write_scene(r)) return false;
+    failure = recorder_create(&r->recorder, r->options->out);
+    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    return write_due(r) && write_checkpoint(r);
+}
+
+static bool load_checkpoint(run *r, const char *path) {
+    char *note = NULL;
+    clast_status status = clast_checkpoint_load(r->world, path, &note);
+    if (status == CLAST_ERR_MISMATCH)
+        return ends(r, RUN_MISMATCH, "%s", clast_world_error(r->world));
+    if (status != CLAST_OK) return ends(r, RUN_UNREADABLE, "%s", clast_world_error(r->world));
+    r->loaded_step = clast_world_steps(r->world);
+    note_read(r, note);
+    free(note);
+    return true;
+}
+
+static bool drop_later_part(const char *part, void *context) {
+    h5_file *f = h5_open(part);
+    uint64_t step = h5_u64_attribute(f, "/", "step");
+    bool drop = h5_status(f) != CLAST_OK || !keep_step(step, context);
+    h5_free(f);
+    return drop;
+}
+
+static void count_frames(run *r) {
+    char *path = path_in(r->options->out, FILE_RUN);
+    h5_file *archive = path_exists(path) ? h5_open(path) : NULL;
+    frame_list l = frames_find(r->options->out, archive);
+    r->next_frame = l.count > 0 ? l.items[l.count - 1].number + 1 : 0;
+    h5_free(archive);
+    free(l.items);
+    free(path);
+}
+
+static bool begin_resumed(run *r, const char *checkpoint) {
+    if (!load_checkpoint(r, checkpoint)) return false;
+    int failure = recorder_continue(&r->recorder, r->options->out, keep_step, r);
+    if (failure == EINVAL)
+        return ends(r, RUN_MISMATCH, "%s/" FILE_SERIES ": has other columns than this scene measures",
+                    r->options->out);
+    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    folder_drop_parts(r->options->out, drop_later_part, r);
+    if (!assemble(r, "running", true)) return false;
+    count_frames(r);
+    if (r->options->talk == RUN_TALK)
+        printf("resumed at t = %.6g s, step %llu\n", clast_world_time(r->world),
+               (unsigned long long)r->loaded_step);
+    return make_folders(r) && write_scene(r);
+}
+
+static bool begin(run *r) {
+    const run_options *o = r->options;
+    if (!folder_is_empty(o->out) && !o->resume && !o->force)
+        return ends(r, RUN_REFUSED, "%s: is not empty; --resume goes on with the run in it, --force "
+                    "throws that run away", o->out);
+    char *checkpoint = path_in(o->out, FILE_CHECKPOINT);
+    bool resumed = o->resume && path_exists(checkpoint);
+    bool good = resumed ? begin_resumed(r, checkpoint) : begin_fresh(r);
+    if (o->resume && !resumed && good && o->talk == RUN_TALK)
+        printf("no checkpoint in %s: starting from the beginning\n", o->out);
+    free(checkpoint);
+    return good;
+}
+
+/* ---- running -------------------------------------------------------------------------------------------- */
+
+static double fastest(clast_world *w) {
+    clast_bodies b = clast_world_bodies(w);
+    double most = 0;
+    for (size_t i = 0; i < b.count; i++) {
+        double v2 = b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] + b.vz[i] * b.vz[i];
+        if (v2 > most) most = v2;
+    }
+    return sqrt(most);
+}
+
+/* True when nothing has been fast for long enough. Turning on the spot does not count as motion: round
+ * bodies without friction would never stop. */
+static bool has_come_to_rest(run *r) {
+    uint64_t now = clast_world_steps(r->world);
+    if (r->rest_steps == 0) return false;
+    if (schedule_is_due(&r->rest, now)) {
+        bool quiet = fastest(r->world) <= r->scene->ending.rest_speed;
+        if (!quiet) r->quiet_from = NEVER_QUIET;
+        else if (r->quiet_from == NEVER_QUIET) r->quiet_from = now;
+    }
+    return r->quiet_from != NEVER_QUIET && now - r->quiet_from >= r->rest_steps;
+}
+
+static uint64_t next_event(const run *r) {
+    uint64_t now = clast_world_steps(r->world), next = r->last_step;
+    const schedule *all[] = {&r->frames, &r->rows, &r->checkpoints, &r->rest};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        uint64_t due = schedule_next(all[i], now);
+        if (due < next) next = due;
+    }
+    return next;
+}
+
+static bool step_until(run *r, uint64_t target) {
+    while (clast_world_steps(r->world) < target && !stop_asked) {
+        if (clast_world_step(r->world) != CLAST_OK)
+            return ends(r, RUN_GUARD, "%s", clast_world_error(r->world));
+        progress_step(&r->progress, r->world);
+    }
+    return true;
+}
+
+/* The last state is always written, due or not, so that what a run came to can be seen. */
+static bool write_last(run *r) {
+    uint64_t now = clast_world_steps(r->world);
+    bool row = r->rows.every > 0 && !schedule_is_due(&r->rows, now);
+    bool frame = r->frames.every > 0 && !schedule_is_due(&r->frames, now);
+    r->extra = row || frame;
+    if (row && !write_row(r)) return false;
+    if (frame && !write_frame(r)) return false;
+    return write_checkpoint(r);
+}
+
+/* Steps from event to event. A stop that comes between two events leaves nothing but a checkpoint, so that
+ * going on gives the very files of a run that was never stopped. */
+static bool go(run *r) {
+    while (clast_world_steps(r->world) < r->last_step) {
+        if (has_come_to_rest(r)) {
+            r->report.at_rest = true;
+            break;
+        }
+        uint64_t target = next_event(r);
+        if (!step_until(r, target)) return false;
+        if (clast_world_steps(r->world) == target && !write_due(r)) return false;
+        if (stop_asked) {
+            ends(r, RUN_INTERRUPTED, "interrupted at t = %.6g s; everything is saved, --resume goes on",
+                 clast_world_time(r->world));
+            return false;
+        }
+    }
+    return write_last(r);
+}
+
+/* ---- ending --------------------------------------------------------------------------------------------- */
+
+static void save_failed_state(run *r) {
+    char *path = path_in(r->options->out, FILE_FAILED);
+    if (clast_checkpoint_save(r->world, path, "state at the failure") != CLAST_OK) remove(path);
+    free(path);
+}
+
+/* Saves what can be saved; a failure on the way does not hide what ended the run. */
+static void wind_up(run *r) {
+    switch (r->report.end) {
+    case RUN_DONE: assemble(r, r->report.at_rest ? "at rest" : "finished", false); break;
+    case RUN_INTERRUPTED:
+        r->report.end = RUN_DONE; /* so that a failure to save is told */
+        if (write_checkpoint(r) && assemble(r, "interrupted", false)) r->report.end = RUN_INTERRUPTED;
+        break;
+    case RUN_GUARD:
+        save_failed_state(r);
+        assemble(r, "failed", false);
+        break;
+    default: break;
+    }
+}
+
+static void set_schedules(run *r) {
+    const scene *s = r->scene;
+    double dt = clast_world_time_step(r->world);
+    double rest_every = s->ending.rest_for > 0 ? fmax(s->ending.rest_for / REST_SAMPLES, dt) : 0;
+    r->frames = (schedule){s->output.frame_every, dt};
+    r->rows = (schedule){s->output.series_every, dt};
+    r->checkpoints = (schedule){s->output.checkpoint_every, dt};
+    r->rest = (schedule){rest_every, dt};
+    r->rest_steps = (uint64_t)llround(s->ending.rest_for / dt);
+    r->last_step = (uint64_t)llround(s->ending.latest / dt);
+    r->quiet_from = NEVER_QUIET;
+}
+
+static void run_between(run *r) {
+    const run_options *o = r->options;
+    if (o->talk == RUN_TALK) report_plan(r->scene, o);
+    double started = clock_seconds();
+    if (!begin(r)) return;
+    uint64_t first = clast_world_steps(r->world);
+    progress_start(&r->progress, o->talk, first, r->last_step);
+    go(r);
+    progress_stop(&r->progress);
+    wind_up(r);
+    r->report.seconds = clock_seconds() - started;
+    r->report.time = clast_world_time(r->world);
+    r->report.steps = clast_world_steps(r->world);
+    r->report.hash = clast_world_hash(r->world);
+    clast_energy e = clast_world_energy(r->world);
+    r->report.residual = e.input > 0 ? fabs(e.residual) / e.input : 0;
+    if (o->talk == RUN_TALK) report_costs(r->scene, r->report.seconds, r->report.steps - first);
+    if (o->talk != RUN_SILENT) printf("hash: 0x%016llx\n", (unsigned long long)r->report.hash);
+    fflush(stdout);
+}
+
+run_report run_scene(scene *s, const run_options *options) {
+    CLAST_ASSERT(s && s->world && options && options->out && options->out[0]);
+    if (options->until > 0) s->ending.latest = options->until;
+    run r = {.scene = s, .options = options, .world = s->world};
+    if (clast_world_prepare(r.world) != CLAST_OK) {
+        ends(&r, RUN_GUARD, "%s", clast_world_error(r.world));
+        return r.report;
+    }
+    set_schedules(&r);
+    recorder_start(&r.recorder, s);
+    signals old;
+    signals_catch(&old);
+    run_between(&r);
+    signals_restore(&old);
+    recorder_stop(&r.recorder);
+    return r.report;
+}
+
+bool run_is_finished(const char *folder, uint64_t *hash) {
+    CLAST_ASSERT(folder && hash);
+    char *path = path_in(folder, FILE_RUN);
+    h5_file *f = path_exists(path) ? h5_open(path) : NULL;
+    free(path);
+    if (!f) return false;
+    char *end = h5_text_attribute(f, "/", "end"), *text = h5_text_attribute(f, "/", "hash");
+    *hash = strtoull(text, NULL, 16);
+    bool finished = h5_status(f) == CLAST_OK &&
+                    (strcmp(end, "finished") == 0 || strcmp(end, "at rest") == 0);
+    free(end);
+    free(text);
+    h5_free(f);
+    return finished;
+}
