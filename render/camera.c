@@ -97,27 +97,53 @@ render_view render_view_default(void) {
     };
 }
 
-/* Half the width and height of the box as seen, and the distance from which a perspective camera with
- * these tangents sees all of it. */
-typedef struct extent {
-    double x, y, distance, depth;
-} extent;
+/* A corner of the box, from its centre, in view axes. */
+static void corner_of(const render_lens *frame, const double low[3], const double high[3],
+                      int corner, double view[3]) {
+    double from_centre[3];
+    for (int k = 0; k < 3; k++)
+        from_centre[k] = ((corner >> k & 1) ? 0.5 : -0.5) * (high[k] - low[k]);
+    view[0] = dot(from_centre, frame->right);
+    view[1] = dot(from_centre, frame->up);
+    view[2] = dot(from_centre, frame->ahead);
+}
 
-static extent box_extent(const render_lens *frame, const double low[3], const double high[3],
-                         double tangent_x, double tangent_y) {
-    extent e = {0, 0, 0, 0};
+/* What of the picture plane the box covers: metres, or slopes if seen from a distance > 0. */
+typedef struct cover {
+    double x0, x1, y0, y1;
+    double depth; /* of the nearest corner before the centre, m */
+} cover;
+
+static cover box_cover(const render_lens *frame, const double low[3], const double high[3],
+                       double distance) {
+    cover c = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, 0};
     for (int corner = 0; corner < 8; corner++) {
-        double from_centre[3];
-        for (int k = 0; k < 3; k++)
-            from_centre[k] = ((corner >> k & 1) ? 0.5 : -0.5) * (high[k] - low[k]);
-        double x = fabs(dot(from_centre, frame->right)), y = fabs(dot(from_centre, frame->up));
-        double z = dot(from_centre, frame->ahead);
-        e.x = fmax(e.x, x);
-        e.y = fmax(e.y, y);
-        e.depth = fmax(e.depth, z);
-        e.distance = fmax(e.distance, fmax(x / tangent_x, y / tangent_y) - z);
+        double view[3];
+        corner_of(frame, low, high, corner, view);
+        double away = distance > 0 ? distance + view[2] : 1;
+        c.x0 = fmin(c.x0, view[0] / away);
+        c.x1 = fmax(c.x1, view[0] / away);
+        c.y0 = fmin(c.y0, view[1] / away);
+        c.y1 = fmax(c.y1, view[1] / away);
+        c.depth = fmax(c.depth, -view[2]);
     }
-    return e;
+    return c;
+}
+
+/* The nearest distance at which the box covers no more slope than allowed, by halving: what it covers
+ * shrinks steadily with distance. */
+static double fit_distance(const render_lens *frame, const double low[3], const double high[3],
+                           double slope_x, double slope_y) {
+    cover flat = box_cover(frame, low, high, 0);
+    double too_near = flat.depth, enough = flat.depth + fmax((flat.x1 - flat.x0) / slope_x,
+                                                             (flat.y1 - flat.y0) / slope_y);
+    for (int i = 0; i < 60 && too_near < enough; i++) {
+        double middle = 0.5 * (too_near + enough);
+        cover c = box_cover(frame, low, high, fmax(middle, 1e-300));
+        bool fits = c.x1 - c.x0 <= slope_x && c.y1 - c.y0 <= slope_y;
+        *(fits ? &enough : &too_near) = middle;
+    }
+    return enough > 0 ? enough : 1; /* a point is seen from anywhere */
 }
 
 static render_status check_fit(const render_view *view, const double low[3], const double high[3],
@@ -146,17 +172,23 @@ render_status render_camera_fit(render_camera *camera, const render_view *view, 
     if (status != RENDER_OK) return status;
 
     bool perspective = view->projection == RENDER_PERSPECTIVE;
-    double tangent = perspective ? half_tangent(view->angle_deg) : 1;
-    extent e = box_extent(&frame, low, high, tangent * room_x / height, tangent * room_y / height);
-    double per_px = fmax(2 * e.x / room_x, 2 * e.y / room_y); /* metres */
-    if (per_px <= 0) per_px = 1.0 / height; /* a point: any scale shows it */
-    double distance = perspective ? fmax(e.distance, 1e-9) : 2 * e.depth + per_px * height;
+    double distance = 0, per_px; /* slope or metres per pixel */
+    if (perspective) {
+        per_px = 2 * half_tangent(view->angle_deg) / height;
+        distance = fit_distance(&frame, low, high, per_px * room_x, per_px * room_y);
+    }
+    cover c = box_cover(&frame, low, high, distance);
+    if (!perspective) {
+        per_px = fmax((c.x1 - c.x0) / room_x, (c.y1 - c.y0) / room_y);
+        if (per_px <= 0) per_px = 1.0 / height; /* a point: any scale shows it */
+        distance = 2 * c.depth + per_px * height;
+    }
     *camera = (render_camera){
         .projection = view->projection,
         .height_m = per_px * height,
         .angle_deg = view->angle_deg,
-        .shift_x = (m->left - m->right) / (2 * width),
-        .shift_y = (m->bottom - m->top) / (2 * height),
+        .shift_x = ((m->left - m->right) / 2 - (c.x0 + c.x1) / (2 * per_px)) / width,
+        .shift_y = ((m->bottom - m->top) / 2 - (c.y0 + c.y1) / (2 * per_px)) / height,
     };
     for (int k = 0; k < 3; k++) {
         camera->target[k] = 0.5 * (low[k] + high[k]);

@@ -38,7 +38,7 @@ render_canvas_def render_canvas_default(render_preset preset) {
         .samples = preset == RENDER_FINAL ? 2 : 1,
         .outline = preset == RENDER_FINAL ? 0.8 : 0.6,
         .outline_fade_px = 4,
-        .ambient = 0.45,
+        .ambient = 0.5,
         .background = {255, 255, 255},
         .cull = true,
         .backend = "auto",

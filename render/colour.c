@@ -16,7 +16,7 @@ static const render_rgb MAP[][POINTS] = {
 };
 static const double MAP_START = 0.1; /* the darkest tenth would turn black in the shade */
 
-const render_rgb RENDER_BAND_TINT[3] = {{190, 62, 58}, {74, 130, 196}, {146, 206, 128}};
+const render_rgb RENDER_BAND_TINT[3] = {{196, 74, 68}, {92, 148, 208}, {150, 210, 132}};
 
 /* Tints for bodies: of about one lightness, so that no body stands out; an outline parts them. */
 static const render_rgb BODY_TINT[] = {{226, 160, 112}, {126, 176, 213}, {158, 200, 142},

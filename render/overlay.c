@@ -157,11 +157,12 @@ static render_status check_overlay(const render_overlay *o) {
     return RENDER_OK;
 }
 
-static render_status make_layout(layout *l, render_font *font, const render_overlay *o,
+static render_status make_layout(layout *l, render_font *font, const render_overlay *o, int width,
                                  int height) {
     render_status status = check_overlay(o);
     if (status != RENDER_OK) return status;
-    double px = o->text_px > 0 ? fmax(o->text_px, 4) : fmax(11, height / 40.0);
+    double side = fmin(height, 0.7 * width); /* a tall picture has little room beside it */
+    double px = o->text_px > 0 ? fmax(o->text_px, 4) : fmax(11, side / 40);
     render_rgb dark = {30, 32, 36}, light = {244, 244, 246}, white = {255, 255, 255};
     *l = (layout){.font = font,
                   .plain = {(int)(px + 0.5), false},
@@ -169,7 +170,7 @@ static render_status make_layout(layout *l, render_font *font, const render_over
                   .ink = {o->dark_background ? light : dark, o->dark_background ? dark : white},
                   .line = (int)(px + 0.5),
                   .pad = (int)(1.2 * px + 0.5)};
-    if (*o->title || o->time_shown) l->top = l->pad + l->line + l->pad / 2;
+    if (*o->title || o->time_shown) l->top = 2 * l->pad + l->line;
     if (o->scale_px_per_m > 0) l->bottom = l->pad + 2 * l->line + l->pad / 2;
     return measure_column(l, o);
 }
@@ -178,7 +179,7 @@ render_status render_overlay_margins(render_font *font, const render_overlay *ov
                                      int height, render_margins *margins) {
     RENDER_ASSERT(font && overlay && margins && width >= 1 && height >= 1);
     layout l;
-    render_status status = make_layout(&l, font, overlay, height);
+    render_status status = make_layout(&l, font, overlay, width, height);
     if (status != RENDER_OK) return status;
     int right = l.column > 0 ? l.column + 2 * l.pad : l.pad;
     *margins = (render_margins){.left = l.pad,
@@ -321,7 +322,7 @@ render_status render_overlay_draw(render_font *font, const render_overlay *overl
     RENDER_ASSERT(font && overlay && image);
     if (!image->rgb) return render_fail(RENDER_ERR_ARGUMENT, "overlay: the image is empty");
     layout l;
-    render_status status = make_layout(&l, font, overlay, image->height);
+    render_status status = make_layout(&l, font, overlay, image->width, image->height);
     if (status == RENDER_OK) status = draw_head(&l, overlay, image);
     if (status == RENDER_OK) status = draw_scale(&l, overlay, image);
     if (status == RENDER_OK) status = draw_column(&l, overlay, image);
@@ -335,7 +336,7 @@ void render_overlay_bands(render_overlay *overlay, double fastest) {
     RENDER_ASSERT(overlay);
     static const char *const SHARE[3] = {"< 30 %", "30\xe2\x80\x93" "70 %", "> 70 %"};
     overlay->legend_count = 3;
-    snprintf(overlay->legend_title, sizeof overlay->legend_title, "of %.3g m/s", fastest);
+    snprintf(overlay->legend_title, sizeof overlay->legend_title, "share of %.3g m/s", fastest);
     for (int i = 0; i < 3; i++) { /* fastest on top, as on a colour bar */
         overlay->legend[i].colour = RENDER_BAND_TINT[2 - i];
         snprintf(overlay->legend[i].label, RENDER_TEXT_MAX, "%s", SHARE[2 - i]);

@@ -292,7 +292,7 @@ typedef struct render_overlay {
     int notes_count; /* 0 to RENDER_NOTES_MAX */
     render_note notes[RENDER_NOTES_MAX];
 
-    double text_px;        /* font size; 0: a 40th of the picture height, at least 11 */
+    double text_px;        /* font size; 0: a 40th of the picture height (less if tall), at least 11 */
     bool dark_background;  /* true: light ink */
 } render_overlay;
 
