@@ -19,17 +19,12 @@ bool body_is_outside(const clast_world *w, size_t slot) {
 }
 
 /* Spin of a body with this angular momentum: omega = R I^-1 R^T L. */
-vec3 body_spin_of(const clast_world *w, int32_t shape_index, quat q, vec3 angular_momentum) {
+vec3 body_spin_of(const clast_world *w, int32_t shape_index, quat q, vec3 l) {
     const shape *s = &w->shapes[shape_index];
-    vec3 l = angular_momentum;
-    if (w->def.motion == CLAST_MOTION_IN_PLANE) {
-        double inertia = v3_at(s->inertia, w->def.plane_axis);
-        return v3_axis(w->def.plane_axis, v3_at(l, w->def.plane_axis) / inertia);
-    }
-    if (s->round_inertia) return v3_scale(1 / s->inertia.x, l);
+    if (w->def.motion == CLAST_MOTION_IN_PLANE || s->round_inertia)
+        return v3_mul(s->inverse_inertia, l); /* in a plane, l has one component: about a principal axis */
     mat3 r = q_matrix(q);
-    vec3 local = m3_apply_transposed(&r, l);
-    return m3_apply(&r, v3(local.x / s->inertia.x, local.y / s->inertia.y, local.z / s->inertia.z));
+    return m3_apply(&r, v3_mul(s->inverse_inertia, m3_apply_transposed(&r, l)));
 }
 
 void body_reserve(clast_world *w, size_t count) {
@@ -81,7 +76,7 @@ static void spheres_reserve(clast_world *w, size_t count) {
     sphere_store *s = &w->spheres;
     if (count <= s->capacity) return;
     size_t old = s->capacity, now = count + count / 2;
-    double **columns[] = {&s->x, &s->y, &s->z, &s->radius, &s->built_x, &s->built_y, &s->built_z};
+    double **columns[] = {&s->x, &s->y, &s->z, &s->radius};
     for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
         *columns[i] = memory_grow(w, *columns[i], old, now, sizeof(double));
     s->body = memory_grow(w, s->body, old, now, sizeof *s->body);

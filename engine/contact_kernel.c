@@ -17,25 +17,26 @@ typedef struct batch_places {
 
 /* ---- narrow phase ---------------------------------------------------------------------------------- */
 
-/* near[k] != 0 where candidate begin + k overlaps. */
-static void narrow_spheres(const clast_world *w, size_t begin, int count, unsigned char *near) {
-    const sphere_store *s = &w->spheres;
-    const int32_t *a = w->list.candidates.a + begin, *b = w->list.candidates.b + begin;
+/* gap[k] < 0 where candidate begin + k overlaps (a difference of squares for spheres). */
+static void narrow_spheres(const clast_world *w, size_t begin, int count, double *gap) {
+    const double *restrict x = w->spheres.x, *restrict y = w->spheres.y, *restrict z = w->spheres.z,
+                 *restrict r = w->spheres.radius;
+    const int32_t *restrict a = w->list.candidates.a + begin, *restrict b = w->list.candidates.b + begin;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
-        double dx = s->x[a[k]] - s->x[b[k]], dy = s->y[a[k]] - s->y[b[k]],
-               dz = s->z[a[k]] - s->z[b[k]], reach = s->radius[a[k]] + s->radius[b[k]];
-        near[k] = dx * dx + dy * dy + dz * dz < reach * reach;
+        double dx = x[a[k]] - x[b[k]], dy = y[a[k]] - y[b[k]], dz = z[a[k]] - z[b[k]];
+        double reach = r[a[k]] + r[b[k]];
+        gap[k] = dx * dx + dy * dy + dz * dz - reach * reach;
     }
 }
 
-static void narrow_walls(const clast_world *w, size_t begin, int count, unsigned char *near) {
+static void narrow_walls(const clast_world *w, size_t begin, int count, double *gap) {
     const sphere_store *s = &w->spheres;
     const candidate_store *c = &w->list.candidates;
     for (int k = 0; k < count; k++) {
         int32_t e = c->a[begin + (size_t)k];
         const wall *l = &w->walls[-1 - c->b[begin + (size_t)k]];
-        near[k] = wall_approach(l, v3(s->x[e], s->y[e], s->z[e])).distance < s->radius[e];
+        gap[k] = wall_approach(l, v3(s->x[e], s->y[e], s->z[e])).distance - s->radius[e];
     }
 }
 
@@ -84,18 +85,18 @@ static void load_contact(const clast_world *w, batch *b, batch_places *places, u
 /* ---- the law over all lanes ------------------------------------------------------------------------------ */
 
 /* The choice is a constant in every call below, so each loop is compiled for its law. */
-static inline void run_law(batch *b, law_choice choice, double dt) {
+LANE_INLINE void run_law(batch *b, law_choice choice, double dt) {
 #pragma omp simd
     for (int i = 0; i < b->count; i++) contact_law(b, i, choice, dt);
 }
 
-static inline void run_limit(batch *b, clast_law law, clast_unloading unloading,
+LANE_INLINE void run_limit(batch *b, clast_law law, clast_unloading unloading,
                              clast_friction_limit limit, double dt) {
     if (limit == CLAST_LIMIT_TOTAL) run_law(b, (law_choice){law, unloading, CLAST_LIMIT_TOTAL}, dt);
     else run_law(b, (law_choice){law, unloading, CLAST_LIMIT_SPRING}, dt);
 }
 
-static inline void run_unloading(batch *b, clast_law law, const clast_world_def *d, double dt) {
+LANE_INLINE void run_unloading(batch *b, clast_law law, const clast_world_def *d, double dt) {
     if (d->unloading == CLAST_UNLOAD_RESCALE || law == CLAST_LAW_LINEAR)
         run_limit(b, law, CLAST_UNLOAD_RESCALE, d->limit, dt);
     else run_limit(b, law, CLAST_UNLOAD_AS_PRINTED, d->limit, dt);
@@ -162,7 +163,7 @@ static void flush_batch(clast_world *w, batch *b, const batch_places *places, co
 static void run_block(clast_world *w, size_t pair_begin, size_t pair_end, contact_tally *tally) {
     enum { NARROW = 256 };
     const pair_list *l = &w->list;
-    unsigned char near[NARROW];
+    double gap[NARROW];
     batch b;
     b.count = 0;
     batch_places places;
@@ -171,11 +172,11 @@ static void run_block(clast_world *w, size_t pair_begin, size_t pair_end, contac
     for (size_t i = pair_begin; i < pair_end; i++) l->forces[i] = (pair_force){0};
     for (size_t begin = l->pairs[pair_begin].first; begin < end; begin += NARROW) {
         int count = end - begin < NARROW ? (int)(end - begin) : NARROW;
-        if (walls) narrow_walls(w, begin, count, near);
-        else narrow_spheres(w, begin, count, near);
+        if (walls) narrow_walls(w, begin, count, gap);
+        else narrow_spheres(w, begin, count, gap);
         for (int k = 0; k < count; k++) {
             size_t c = begin + (size_t)k;
-            if (!(near[k] | l->candidates.touching[c])) continue;
+            if (!(gap[k] < 0) && !l->candidates.touching[c]) continue;
             while (c >= l->pairs[p + 1].first) p++;
             load_contact(w, &b, &places, (uint32_t)p, (uint32_t)c);
             if (b.count == LANES) flush_batch(w, &b, &places, tally);

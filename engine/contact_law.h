@@ -19,6 +19,9 @@
 
 enum { LANES = 64 };
 
+/* A call left in the loop over lanes would keep it scalar. */
+#define LANE_INLINE __attribute__((always_inline)) static inline
+
 /* Columns of one batch of contacts. */
 typedef struct batch {
     int count;
@@ -46,7 +49,7 @@ typedef struct elastic {
     double force, k_n, k_t;
 } elastic;
 
-static inline elastic elastic_at(const batch *b, int i, double overlap, bool linear) {
+LANE_INLINE elastic elastic_at(const batch *b, int i, double overlap, bool linear) {
     if (linear) {
         double on = overlap > 0 ? 1.0 : 0.0;
         return (elastic){b->stiffness[i] * overlap, on * b->stiffness[i], on * b->tangential[i]};
@@ -57,18 +60,18 @@ static inline elastic elastic_at(const batch *b, int i, double overlap, bool lin
 }
 
 /* What becomes of the tangential spring when the normal load has changed. */
-static inline double spring_factor(law_choice choice, double k_t, double old_k_t) {
+LANE_INLINE double spring_factor(law_choice choice, double k_t, double old_k_t) {
     double ratio = old_k_t > 0 ? k_t / old_k_t : 0.0;
     if (choice.unloading == CLAST_UNLOAD_RESCALE) return ratio < 1 ? ratio : 1.0;
     if (choice.law == CLAST_LAW_HERTZ_MINDLIN) return ratio; /* the displacement is kept */
     return 1.0;                                              /* the force is kept, A00 1.14 */
 }
 
-static inline double limited(double square, double limit) {
+LANE_INLINE double limited(double square, double limit) {
     return square > limit * limit ? limit / sqrt(square) : 1.0;
 }
 
-static inline void contact_law(batch *b, int i, law_choice choice, double dt) {
+LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
     double nx = b->nx[i], ny = b->ny[i], nz = b->nz[i];
     double overlap = b->overlap[i] > 0 ? b->overlap[i] : 0.0;
     bool linear = choice.law == CLAST_LAW_LINEAR;

@@ -71,6 +71,7 @@ static clast_status overlap_failure(clast_world *w) {
 
 /* ---- motion ------------------------------------------------------------------------------------------- */
 
+/* Called when the bound of the hot loop is above the limit; looks whether a body really is. */
 static clast_status motion_failure(clast_world *w) {
     const body_store *b = &w->bodies;
     double most = -1;
@@ -81,6 +82,7 @@ static clast_status motion_failure(clast_world *w) {
         double bound = w->shapes[b->shape[i]].bound, speed = sqrt(v2) + sqrt(s2) * bound;
         if (!(speed <= most)) most = speed == speed ? speed : INFINITY, who = i;
     }
+    if (most * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
     char name[256], what[512];
     describe_body(w, who, name, sizeof name);
     snprintf(what, sizeof what, "a sphere moves %.3g mm in one step (limit %.3g of the smallest radius"

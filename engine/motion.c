@@ -35,6 +35,13 @@ static quat turned(quat q, vec3 axis_angle) {
     return q_renormalise(q_mul((quat){c, k * axis_angle.x, k * axis_angle.y, k * axis_angle.z}, q));
 }
 
+static quat turned_in_plane(const clast_world *w, quat q, vec3 spin) {
+    double s, c;
+    number_sincos_small(0.5 * w->dt * v3_at(spin, w->def.plane_axis), &s, &c);
+    vec3 turn = v3_axis(w->def.plane_axis, s);
+    return q_renormalise(q_mul((quat){c, turn.x, turn.y, turn.z}, q));
+}
+
 /* Rotates the body by `angle` about its own principal axis; its local momentum turns the other way. */
 static void turn_about(int axis, double angle, quat *q, vec3 *local) {
     double s, c;
@@ -47,21 +54,21 @@ static void turn_about(int axis, double angle, quat *q, vec3 *local) {
     else *local = v3(cs * l.x + sn * l.y, cs * l.y - sn * l.x, l.z);
 }
 
-static quat turned_asymmetric(quat q, vec3 momentum, vec3 inertia, double dt) {
+static quat turned_asymmetric(quat q, vec3 momentum, vec3 inverse, double dt) {
     mat3 r = q_matrix(q);
     vec3 l = m3_apply_transposed(&r, momentum);
-    turn_about(0, 0.5 * dt * l.x / inertia.x, &q, &l);
-    turn_about(1, 0.5 * dt * l.y / inertia.y, &q, &l);
-    turn_about(2, dt * l.z / inertia.z, &q, &l);
-    turn_about(1, 0.5 * dt * l.y / inertia.y, &q, &l);
-    turn_about(0, 0.5 * dt * l.x / inertia.x, &q, &l);
+    turn_about(0, 0.5 * dt * (l.x * inverse.x), &q, &l);
+    turn_about(1, 0.5 * dt * (l.y * inverse.y), &q, &l);
+    turn_about(2, dt * (l.z * inverse.z), &q, &l);
+    turn_about(1, 0.5 * dt * (l.y * inverse.y), &q, &l);
+    turn_about(0, 0.5 * dt * (l.x * inverse.x), &q, &l);
     return q_renormalise(q);
 }
 
 static quat orientation_after(const clast_world *w, const shape *s, quat q, vec3 momentum, vec3 spin) {
-    if (w->def.motion == CLAST_MOTION_IN_PLANE || s->round_inertia)
-        return turned(q, v3_scale(w->dt, spin));
-    return turned_asymmetric(q, momentum, s->inertia, w->dt);
+    if (w->def.motion == CLAST_MOTION_IN_PLANE) return turned_in_plane(w, q, spin);
+    if (s->round_inertia) return turned(q, v3_scale(w->dt, spin));
+    return turned_asymmetric(q, momentum, s->inverse_inertia, w->dt);
 }
 
 /* ---- one body ----------------------------------------------------------------------------------------- */
@@ -82,7 +89,7 @@ static kick kicked(const clast_world *w, size_t i) {
     const shape *s = &w->shapes[b->shape[i]];
     vec3 force, torque, v = v3(b->vx[i], b->vy[i], b->vz[i]), l = v3(b->lx[i], b->ly[i], b->lz[i]);
     body_load(w, i, &force, &torque);
-    vec3 a = v3_add(v3_scale(1 / s->mass, force), w->def.gravity);
+    vec3 a = v3_add(v3_scale(s->inverse_mass, force), w->def.gravity);
     if (w->def.motion == CLAST_MOTION_IN_PLANE) {
         a = in_plane(w, a);
         torque = v3_sub(torque, in_plane(w, torque));
@@ -105,8 +112,9 @@ static double advance_one(clast_world *w, size_t i) {
     vec3 v = k.velocity, l = k.momentum;
     quat q = body_orientation(w, i);
     b->x[i] += w->dt * v.x, b->y[i] += w->dt * v.y, b->z[i] += w->dt * v.z;
-    q = orientation_after(w, s, q, l, body_spin_of(w, b->shape[i], q, l));
     vec3 spin = body_spin_of(w, b->shape[i], q, l);
+    q = orientation_after(w, s, q, l, spin);
+    if (w->def.motion == CLAST_MOTION_3D && !s->round_inertia) spin = body_spin_of(w, b->shape[i], q, l);
     b->qw[i] = q.w, b->qx[i] = q.x, b->qy[i] = q.y, b->qz[i] = q.z;
     b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
     b->lx[i] = l.x, b->ly[i] = l.y, b->lz[i] = l.z;
@@ -114,27 +122,31 @@ static double advance_one(clast_world *w, size_t i) {
     return k.global_loss;
 }
 
-/* Farthest that a sphere of the body is now from where the list was built, squared. NaN stays NaN. */
-static double moved2(const sphere_store *s, size_t body) {
-    double most = 0;
-    for (size_t e = s->first[body]; e < s->first[body + 1]; e++) {
-        double dx = s->x[e] - s->built_x[e], dy = s->y[e] - s->built_y[e],
-               dz = s->z[e] - s->built_z[e], d2 = dx * dx + dy * dy + dz * dz;
-        if (!(d2 <= most)) most = d2;
-    }
-    return most;
+/* Upper bounds without square roots: (a + b)^2 <= 2 a^2 + 2 b^2. A bound that is somewhat too large
+ * costs a rebuild a little early, which nobody can observe; guards look again before they speak. */
+static double bound2(double a2, double b2) { return b2 == 0 ? a2 : 2 * (a2 + b2); }
+
+/* Way of any sphere of the body since the list was built, squared: of the centre, and arm times twice
+ * the change of the quaternion. NaN stays NaN. */
+static double moved2(const clast_world *w, size_t i) {
+    const body_store *b = &w->bodies;
+    const built_pose *p = &w->built[i];
+    double dx = b->x[i] - p->x, dy = b->y[i] - p->y, dz = b->z[i] - p->z;
+    double ew = b->qw[i] - p->qw, ex = b->qx[i] - p->qx, ey = b->qy[i] - p->qy, ez = b->qz[i] - p->qz;
+    double turn2 = ew * ew + ex * ex + ey * ey + ez * ez;
+    return bound2(dx * dx + dy * dy + dz * dz, 4 * p->arm * p->arm * turn2);
+}
+
+/* Way of any point of the body in one step, squared. */
+static double step2(const clast_world *w, size_t i) {
+    const body_store *b = &w->bodies;
+    double bound = w->shapes[b->shape[i]].bound;
+    double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
+    double s2 = b->wx[i] * b->wx[i] + b->wy[i] * b->wy[i] + b->wz[i] * b->wz[i];
+    return w->dt * w->dt * bound2(v2, s2 * bound * bound);
 }
 
 /* ---- all bodies ---------------------------------------------------------------------------------------- */
-
-/* How fast the spheres of a body can be, squared: centre plus arm times spin. */
-static double reach_per_step2(const clast_world *w, size_t i) {
-    const body_store *b = &w->bodies;
-    double v = sqrt(b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i]);
-    double spin = sqrt(b->wx[i] * b->wx[i] + b->wy[i] * b->wy[i] + b->wz[i] * b->wz[i]);
-    double d = (v + spin * w->shapes[b->shape[i]].bound) * w->dt;
-    return d * d;
-}
 
 static void advance_range(void *context, size_t begin, size_t end, int thread) {
     clast_world *w = context;
@@ -144,9 +156,9 @@ static void advance_range(void *context, size_t begin, size_t end, int thread) {
         double loss = advance_one(w, i);
         if (loss != 0) sum_add(&t->global, &w->ledger.scale, loss);
         spheres_place(w, i, i + 1);
-        if (!(moved2(&w->spheres, i) < stale2)) t->stale = true;
-        double step2 = reach_per_step2(w, i);
-        if (!(step2 <= t->step2_max)) t->step2_max = step2 == step2 ? step2 : INFINITY;
+        if (!(moved2(w, i) < stale2)) t->stale = true;
+        double way2 = step2(w, i);
+        if (!(way2 <= t->step2_max)) t->step2_max = way2 == way2 ? way2 : INFINITY;
         if (body_is_outside(w, i)) t->outside = true;
     }
 }
@@ -174,7 +186,7 @@ void velocities_start(clast_world *w) {
     for (size_t i = 0; i < b->count; i++) {
         vec3 force, torque;
         body_load(w, i, &force, &torque);
-        vec3 a = v3_add(v3_scale(1 / w->shapes[b->shape[i]].mass, force), w->def.gravity);
+        vec3 a = v3_add(v3_scale(w->shapes[b->shape[i]].inverse_mass, force), w->def.gravity);
         if (w->def.motion == CLAST_MOTION_IN_PLANE) {
             a = in_plane(w, a);
             torque = v3_sub(torque, in_plane(w, torque));

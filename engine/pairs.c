@@ -242,10 +242,15 @@ static void reserve_slots(clast_world *w) {
     w->list.slot_capacity = now;
 }
 
-static void remember_places(clast_world *w) {
-    sphere_store *s = &w->spheres;
-    for (size_t i = 0; i < s->count; i++)
-        s->built_x[i] = s->x[i], s->built_y[i] = s->y[i], s->built_z[i] = s->z[i];
+static void remember_poses(clast_world *w) {
+    const body_store *b = &w->bodies;
+    if (w->built_capacity < b->capacity) {
+        w->built = memory_grow(w, w->built, w->built_capacity, b->capacity, sizeof *w->built);
+        w->built_capacity = b->capacity;
+    }
+    for (size_t i = 0; i < b->count; i++)
+        w->built[i] = (built_pose){b->x[i], b->y[i], b->z[i], b->qw[i], b->qx[i], b->qy[i], b->qz[i],
+                                   w->shapes[b->shape[i]].arm};
 }
 
 /* Needs w->records to hold the contacts that touched at the last evaluation. */
@@ -256,7 +261,7 @@ void pairs_rebuild(clast_world *w) {
     if (w->bodies.count > 0) cells_sort(w, 2 * w->largest_bound + w->skin);
     spheres_layout(w);
     spheres_place(w, 0, w->bodies.count);
-    remember_places(w);
+    remember_poses(w);
     add_body_pairs(w);
     add_wall_pairs(w);
     *pair_push(w) = (pair){.first = (uint32_t)l->candidates.count};

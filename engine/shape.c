@@ -68,12 +68,15 @@ int clast_shape_add(clast_world *w, const clast_shape_def *d) {
     *s = (shape){.name = memory_text(w, d->name), .material = d->material, .spheres = d->spheres,
                  .mass = mass, .inertia = inertia, .outline_points = d->outline_points,
                  .round_inertia = inertia.x == inertia.y && inertia.y == inertia.z};
+    s->inverse_mass = 1 / mass;
+    s->inverse_inertia = v3(1 / inertia.x, 1 / inertia.y, 1 / inertia.z);
     s->centre = memory_copy(w, d->centre, (size_t)d->spheres, sizeof *s->centre);
     s->radius = memory_copy(w, d->radius, (size_t)d->spheres, sizeof *s->radius);
     s->outline = memory_copy(w, d->outline, 2 * (size_t)d->outline_points, sizeof *s->outline);
     for (int i = 0; i < d->spheres; i++) {
-        double reach = v3_norm(s->centre[i]) + s->radius[i];
-        if (reach > s->bound) s->bound = reach;
+        double arm = v3_norm(s->centre[i]);
+        if (arm > s->arm) s->arm = arm;
+        if (arm + s->radius[i] > s->bound) s->bound = arm + s->radius[i];
     }
     w->shape_count++;
     return n;

@@ -86,7 +86,7 @@ void clast_world_free(clast_world *w) {
 #undef X
     sphere_store *s = &w->spheres;
     free(s->x), free(s->y), free(s->z), free(s->radius), free(s->body), free(s->first);
-    free(s->built_x), free(s->built_y), free(s->built_z);
+    free(w->built);
     free(w->records.items), free(w->records.first), free(w->slot_of_id);
     free(w->tallies), free(w->tally_work), free(w->body_tallies);
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);

@@ -43,10 +43,15 @@ typedef struct body_store {
 #undef X
 } body_store;
 
+/* Pose of a body when the pair list was built. */
+typedef struct built_pose {
+    double x, y, z, qw, qx, qy, qz;
+    double arm; /* m, from the centre of mass to the farthest centre of a sphere */
+} built_pose;
+
 typedef struct sphere_store {
     size_t count, capacity;
     double *x, *y, *z, *radius;
-    double *built_x, *built_y, *built_z; /* where the pair list was built */
     int32_t *body;                       /* slot */
     size_t *first;                       /* first sphere of each body, count of bodies + 1 */
 } sphere_store;
@@ -73,7 +78,10 @@ typedef struct shape {
     vec3 *centre;
     double *radius, *outline;
     double mass, bound;   /* bound: radius of the bounding sphere about the centre of mass */
+    double arm;           /* farthest centre of a sphere from the centre of mass */
     vec3 inertia;
+    double inverse_mass;
+    vec3 inverse_inertia;
     bool round_inertia;   /* three equal moments: spin and angular momentum are parallel */
 } shape;
 
@@ -214,6 +222,8 @@ struct clast_world {
 
     body_store bodies;
     sphere_store spheres;
+    built_pose *built; /* per slot */
+    size_t built_capacity;
     pair_list list;
     record_list records;
     uint32_t next_id;

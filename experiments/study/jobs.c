@@ -1,0 +1,168 @@
+#include "experiments/study/jobs.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "digest.h"
+#include "experiments/run/run.h"
+
+void job_set(job *j, const char *format, ...) {
+    if (j->set_count == JOB_SETTINGS) abort();
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(j->set[j->set_count++], JOB_TEXT, format, arguments);
+    va_end(arguments);
+}
+
+/* ---- names --------------------------------------------------------------------------------------- */
+
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count) {
+    const unsigned char *b = bytes;
+    for (size_t i = 0; i < count; i++) hash = (hash ^ b[i]) * UINT64_C(0x100000001b3);
+    return hash;
+}
+
+static uint64_t hash_file(uint64_t hash, const char *path) {
+    FILE *f = fopen(path, "rb");
+    if (!f) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        exit(4);
+    }
+    char buffer[4096];
+    size_t n;
+    while ((n = fread(buffer, 1, sizeof buffer, f)) > 0) hash = hash_bytes(hash, buffer, n);
+    fclose(f);
+    return hash;
+}
+
+void jobs_name(job *j, const char *root) {
+    uint64_t hash = hash_file(UINT64_C(0xcbf29ce484222325), j->scene);
+    for (int i = 0; i < j->set_count; i++) {
+        const char *value = j->set[i], *slash = strrchr(value, '/');
+        /* of a path, the name counts: it holds the hash of what is in it */
+        hash = hash_bytes(hash, slash ? slash : value, strlen(slash ? slash : value) + 1);
+    }
+    hash = hash_bytes(hash, ENGINE_DIGEST, sizeof ENGINE_DIGEST);
+    snprintf(j->folder, JOB_FOLDER, "%s/%s-%016" PRIx64, root, j->label, hash);
+}
+
+/* ---- one job, in a process of its own ---------------------------------------------------------------- */
+
+static void complain(const job *j, const char *message) {
+    char path[JOB_FOLDER + 8];
+    snprintf(path, sizeof path, "%s.log", j->folder);
+    FILE *f = fopen(path, "w");
+    if (f) fprintf(f, "%s\n", message), fclose(f);
+    fprintf(stderr, "%s: %s\n", j->label, message);
+}
+
+static int run_one(const job *j) {
+    const char *set[JOB_SETTINGS];
+    for (int i = 0; i < j->set_count; i++) set[i] = j->set[i];
+    char *faults = NULL;
+    scene *s = scene_load(j->scene, &(scene_options){.set = set, .set_count = j->set_count,
+                                                     .threads = 1}, &faults);
+    if (!s) {
+        complain(j, faults ? faults : "the scene cannot be read");
+        return 3;
+    }
+    run_report r = run_scene(s, &(run_options){.out = j->folder, .resume = true,
+                                               .talk = RUN_SILENT});
+    if (r.end != RUN_DONE) complain(j, r.message);
+    scene_free(s);
+    free(faults);
+    return r.end == RUN_DONE ? 0 : 1;
+}
+
+static pid_t start(const job *j) {
+    fflush(NULL);
+    pid_t child = fork();
+    if (child < 0) {
+        perror("fork");
+        exit(4);
+    }
+    if (child == 0) _exit(run_one(j));
+    return child;
+}
+
+/* ---- all of them ----------------------------------------------------------------------------------------- */
+
+int jobs_processes(void) {
+    const char *wish = getenv("CLAST_JOBS");
+    long n = wish ? strtol(wish, NULL, 10) : sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > 64 ? 64 : (int)n;
+}
+
+static double seconds(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void progress(const char *what, int done, int count, int fresh, double since) {
+    double left = fresh > 0 ? (seconds() - since) / fresh * (count - done) : 0;
+    bool terminal = isatty(1);
+    if (!terminal && done != count && done % 5 != 0) return;
+    printf("%s%s: %d of %d runs, %.0f s left%s", terminal ? "\r\033[K" : "", what, done, count, left,
+           terminal && done != count ? "" : "\n");
+    fflush(stdout);
+}
+
+typedef struct pool {
+    pid_t child[64];
+    int job[64], running;
+} pool;
+
+/* Waits for one child; returns the job it was, and whether it did well. */
+static int reap(pool *p, bool *well) {
+    int status;
+    pid_t ended = waitpid(-1, &status, 0);
+    if (ended < 0) {
+        perror("waitpid");
+        exit(4);
+    }
+    *well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    for (int i = 0; i < p->running; i++)
+        if (p->child[i] == ended) {
+            int which = p->job[i];
+            p->running--;
+            p->child[i] = p->child[p->running], p->job[i] = p->job[p->running];
+            if (WIFSIGNALED(status)) fprintf(stderr, "a run was killed by signal %d\n", WTERMSIG(status));
+            return which;
+        }
+    abort();
+}
+
+int jobs_run(job *jobs, int count, int processes, const char *what) {
+    pool p = {.running = 0};
+    int done = 0, failed = 0, fresh = 0, next = 0;
+    double since = seconds();
+    for (int i = 0; i < count; i++) {
+        jobs[i].done = run_is_finished(jobs[i].folder, &jobs[i].hash);
+        done += jobs[i].done;
+    }
+    progress(what, done, count, 0, since);
+    while (p.running > 0 || next < count) {
+        while (next < count && jobs[next].done) next++;
+        if (next < count && p.running < processes) {
+            p.child[p.running] = start(&jobs[next]);
+            p.job[p.running++] = next++;
+            continue;
+        }
+        if (p.running == 0) break;
+        bool well;
+        job *j = &jobs[reap(&p, &well)];
+        j->done = well && run_is_finished(j->folder, &j->hash);
+        failed += !j->done;
+        fresh++;
+        progress(what, ++done, count, fresh, since);
+    }
+    return failed;
+}
