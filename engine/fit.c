@@ -44,7 +44,7 @@ static bool overshoots(const ellipse *e, double chord, int spheres, double *x_of
 
 clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre, double *radius) {
     CLAST_ASSERT(centre && radius);
-    if (!(a >= b && b > 0) || spheres < 1 || spheres > SPHERES_MAX) return CLAST_ERR_ARGUMENT;
+    if (!(a >= b && b > 0 && a < INFINITY) || spheres < 1 || spheres > SPHERES_MAX) return CLAST_ERR_ARGUMENT;
     ellipse e = {a, b};
     double x[SPHERES_MAX], y[SPHERES_MAX], low = 0, high = 4 * a;
     for (int i = 0; i < HALVINGS; i++) {
