@@ -212,11 +212,25 @@ static void reserve_view(clast_world *w) {
     w->view.capacity = now;
 }
 
+/* Before the first evaluation the columns hold the velocities of the start. */
+static void copy_start(clast_world *w) {
+    const body_store *b = &w->bodies;
+    for (size_t i = 0; i < b->count; i++) {
+        w->view.vx[i] = b->vx[i], w->view.vy[i] = b->vy[i], w->view.vz[i] = b->vz[i];
+        w->view.wx[i] = b->wx[i], w->view.wy[i] = b->wy[i], w->view.wz[i] = b->wz[i];
+        w->view.mass[i] = w->shapes[b->shape[i]].mass;
+    }
+}
+
 /* Velocities at the time of the positions, without touching the state: the mean of the half steps
  * before and after. Also the kinetic energies, as v-.v+ and L-.w+, which the discrete motion conserves
  * exactly (the mean of squares would be off by the square of the kick). */
 void velocities_synchronise(clast_world *w) {
     reserve_view(w);
+    if (!w->prepared) {
+        copy_start(w);
+        return;
+    }
     const body_store *b = &w->bodies;
     exact_sum kinetic = {0, 0}, rotational = {0, 0};
     for (size_t i = 0; i < b->count; i++) {

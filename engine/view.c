@@ -6,7 +6,7 @@ double clast_world_time_step(const clast_world *w) { return w->dt; }
 uint64_t clast_world_steps(const clast_world *w) { return w->step; }
 
 clast_bodies clast_world_bodies(clast_world *w) {
-    CLAST_ASSERT(w && w->prepared);
+    CLAST_ASSERT(w);
     velocities_synchronise(w);
     const body_store *b = &w->bodies;
     return (clast_bodies){
