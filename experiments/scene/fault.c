@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* The same mistake reached twice (through a YAML alias, say) is one fault. */
 static bool known(const scene_faults *faults, const scene_fault *fault) {
@@ -108,7 +109,10 @@ int scene_distance(const char *a, const char *b, int limit) {
 const char *scene_suggest(const char *word, const char *const *candidates, int count) {
     SCENE_ASSERT(word && (candidates || count == 0));
     const char *best = NULL;
-    int limit = strlen(word) < 4 ? 2 : 3; /* a short word turns into any other in two changes */
+    for (int i = 0; i < count; i++)
+        if (!strcasecmp(word, candidates[i])) return candidates[i];
+    /* A short word turns into any other in two changes, a single letter in one. */
+    int limit = strlen(word) < 2 ? 1 : strlen(word) < 4 ? 2 : 3;
     for (int i = 0; i < count; i++) {
         int distance = scene_distance(word, candidates[i], limit);
         if (distance < limit) {

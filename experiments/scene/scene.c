@@ -78,10 +78,30 @@ static measure measure_of(const measure_item *entry) {
     return m;
 }
 
+static void *allocate(int count, size_t size) {
+    void *memory = calloc((size_t)count + 1, size);
+    if (!memory) abort();
+    return memory;
+}
+
+static void keep_materials(scene *s, const scene_draft *draft) {
+    s->material_count = draft->materials.count;
+    s->materials = allocate(s->material_count, sizeof *s->materials);
+    const material_item *materials = draft->materials.items;
+    for (int i = 0; i < s->material_count; i++) {
+        s->materials[i] = materials[i].def;
+        s->materials[i].name = duplicate(materials[i].item.name);
+    }
+    s->pair_count = draft->pairs.count;
+    s->pairs = allocate(s->pair_count, sizeof *s->pairs);
+    const pair_item *pairs = draft->pairs.items;
+    for (int i = 0; i < s->pair_count; i++)
+        s->pairs[i] = (scene_pair){pairs[i].between[0], pairs[i].between[1], pairs[i].def};
+}
+
 static scene *make_scene(const scene_draft *draft, clast_world *world, const char *path,
                          const char *text) {
-    scene *s = calloc(1, sizeof *s);
-    if (!s) abort();
+    scene *s = allocate(1, sizeof *s);
     s->path = duplicate(path);
     s->title = duplicate(draft->title);
     s->text = duplicate(text);
@@ -94,11 +114,12 @@ static scene *make_scene(const scene_draft *draft, clast_world *world, const cha
     s->view.map = duplicate(draft->map);
     s->ending = draft->ending;
     s->output = draft->output;
+    s->step_given = draft->def.time_step > 0;
     s->measure_count = draft->measures.count;
-    s->measures = calloc((size_t)s->measure_count + 1, sizeof *s->measures);
-    if (!s->measures) abort();
+    s->measures = allocate(s->measure_count, sizeof *s->measures);
     const measure_item *items = draft->measures.items;
     for (int i = 0; i < s->measure_count; i++) s->measures[i] = measure_of(&items[i]);
+    keep_materials(s, draft);
     return s;
 }
 
@@ -110,6 +131,12 @@ static const tree_node *load_tree(scene_arena *arena, scene_faults *faults,
     scene_faults again = {.arena = arena, .file = faults->file}; /* those of the tree come again */
     *text = scene_parameters_set(arena, faults, root, *text, options->set, options->set_count);
     return scene_tree_load(arena, &again, *text, strlen(*text));
+}
+
+static void refit(scene_draft *draft, int spheres) {
+    shape_item *shapes = draft->shapes.items;
+    for (int i = 0; i < draft->shapes.count; i++)
+        if (shapes[i].fit_spheres > 0) shapes[i].fit_spheres = spheres;
 }
 
 static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
@@ -124,6 +151,7 @@ static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
     scene_read(&reader, &draft);
     if (options->threads > 0) draft.def.threads = options->threads;
     if (options->isa != CLAST_ISA_AUTO) draft.def.isa = options->isa;
+    if (options->fit_spheres > 0) refit(&draft, options->fit_spheres);
     scene_check(&reader, &draft);
     if (faults->errors) return NULL;
     scene_parameters_warn_unused(&parameters);
@@ -147,6 +175,9 @@ void scene_free(scene *s) {
     if (!s) return;
     for (int i = 0; i < s->measure_count; i++) free(s->measures[i].name);
     free(s->measures);
+    for (int i = 0; i < s->material_count; i++) free((char *)(uintptr_t)s->materials[i].name);
+    free(s->materials);
+    free(s->pairs);
     free(s->view.preset);
     free(s->view.map);
     free(s->path);

@@ -66,6 +66,12 @@ typedef struct output_plan {
     bool contacts;           /* contact network in every frame */
 } output_plan;
 
+/* Contact constants of two materials, by their indices: the world does not give them back. */
+typedef struct scene_pair {
+    int a, b;
+    clast_pair_def def;
+} scene_pair;
+
 typedef struct scene {
     char *path, *title;
     char *text;              /* the file as read, with parameters after --set: goes into run.h5 */
@@ -75,6 +81,11 @@ typedef struct scene {
     view view;
     ending ending;
     output_plan output;
+    bool step_given;               /* the scene states its time step */
+    clast_material_def *materials; /* with names; in the order of the world */
+    int material_count;
+    scene_pair *pairs;
+    int pair_count;
 } scene;
 
 typedef struct scene_options {
@@ -83,6 +94,7 @@ typedef struct scene_options {
     int threads;            /* 0 = as the scene says */
     clast_isa isa;          /* AUTO = as the scene says */
     bool parse_only;        /* do not prepare the world */
+    int fit_spheres;        /* > 0: fitted shapes get so many spheres; `clast plan` asks what fewer cost */
 } scene_options;
 
 /* Reads, checks and builds. NULL when anything is wrong; *faults is then a malloc'ed text with one fault

@@ -2,6 +2,7 @@
 #include "tests/scene/testing.h"
 
 #include "experiments/scene/build.h"
+#include "experiments/scene/rebound.h"
 #include "experiments/scene/scene.h"
 #include "experiments/scene/schema.h"
 
@@ -322,6 +323,45 @@ static void the_readme_has_the_reference(void **state) {
     free(readme);
 }
 
+/* The first block of the README is a scene that works. */
+static void the_example_of_the_readme_is_a_scene(void **state) {
+    (void)state;
+    char *readme = read_all(CLAST_SCENE_README, NULL), *start = strstr(readme, "```yaml\n");
+    assert_non_null(start);
+    start += strlen("```yaml\n");
+    char *end = strstr(start, "```"), path[] = CLAST_SCENE_SCRATCH "/readme.yaml";
+    assert_non_null(end);
+    write_all(path, start, (size_t)(end - start));
+    scene *s = load(path, NULL, 0);
+    assert_int_equal(clast_world_bodies(s->world).count, 200);
+    assert_int_equal(s->material_count, 1);
+    assert_string_equal(s->materials[0].name, "plastic");
+    assert_true(s->pair_count == 1 && s->pairs[0].def.restitution == 0.72);
+    scene_free(s);
+    free(readme);
+}
+
+/* Measured at the scene's own step, so to about the error that 30 steps per contact make. */
+static void a_pair_rebounds_as_it_was_asked(void **state) {
+    (void)state;
+    scene *s = load(SMALL, NULL, 0);
+    double e = scene_rebound(s, &s->pairs[0]);
+    if (fabs(e - 0.9) > 0.01) fail_msg("measured %g, asked 0.9", e);
+    scene_free(s);
+}
+
+static void fitted_shapes_can_be_refitted(void **state) {
+    (void)state;
+    char *faults = NULL;
+    scene_options options = {.fit_spheres = 5};
+    scene *s = scene_load(GOOD, &options, &faults);
+    assert_non_null(s);
+    assert_int_equal(clast_world_shape(s->world, 0).spheres, 5);
+    assert_int_equal(clast_world_shape(s->world, 2).spheres, 2);
+    scene_free(s);
+    free(faults);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(materials_and_pairs_are_read),
@@ -336,6 +376,9 @@ int main(void) {
         cmocka_unit_test(set_is_checked),
         cmocka_unit_test(options_win_over_the_scene),
         cmocka_unit_test(the_readme_has_the_reference),
+        cmocka_unit_test(the_example_of_the_readme_is_a_scene),
+        cmocka_unit_test(a_pair_rebounds_as_it_was_asked),
+        cmocka_unit_test(fitted_shapes_can_be_refitted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

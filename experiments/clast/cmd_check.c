@@ -1,0 +1,149 @@
+/* cmd_check.c - reads a scene, says everything that is wrong with it, or what it holds. */
+#include "experiments/clast/commands.h"
+#include "experiments/scene/rebound.h"
+#include "experiments/scene/scene.h"
+#include "experiments/scene/schema.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char HELP[] =
+    "usage: clast check SCENE [--set NAME=VALUE]...\n"
+    "       clast check --keys\n"
+    "\n"
+    "Reads the scene, places its bodies and checks them against each other. Prints all faults, each\n"
+    "with its line, or a summary of what the scene holds.\n"
+    "\n"
+    "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
+    "  --keys             prints the reference of all keys of a scene as Markdown\n"
+    "\n"
+    "example: clast check experiments/button-hopper/discharge.yaml --set orifice=5cm\n"
+    "exit code: 0 no fault (warnings at most), 3 faults, 4 the file cannot be read, 2 usage\n";
+
+typedef struct arguments {
+    const char *path;
+    const char **set;
+    int set_count;
+    bool help, keys;
+} arguments;
+
+/* False, with a message on stderr, when the command line makes no sense. */
+static bool read_arguments(int argc, char **argv, arguments *a) {
+    for (int i = 1; i < argc; i++) {
+        if (!strcmp(argv[i], "--help") || !strcmp(argv[i], "-h")) {
+            a->help = true;
+        } else if (!strcmp(argv[i], "--keys")) {
+            a->keys = true;
+        } else if (!strcmp(argv[i], "--set") && i + 1 < argc) {
+            a->set[a->set_count++] = argv[++i];
+        } else if (argv[i][0] == '-' || a->path) {
+            fprintf(stderr, "clast check: found '%s'; see clast check --help\n", argv[i]);
+            return false;
+        } else {
+            a->path = argv[i];
+        }
+    }
+    if (a->path || a->help || a->keys) return true;
+    fprintf(stderr, "clast check: no scene given; see clast check --help\n");
+    return false;
+}
+
+static void print_shapes(const scene *s) {
+    clast_bodies b = clast_world_bodies(s->world);
+    for (int i = 0; i < clast_world_shape_count(s->world); i++) {
+        clast_shape_def shape = clast_world_shape(s->world, i);
+        size_t count = 0;
+        for (size_t k = 0; k < b.count; k++) count += b.shape[k] == i;
+        printf("  %s: %zu bodies, %d sphere%s of %s, mass %.4g g, inertia [%.4g, %.4g, %.4g] kg m2\n",
+               shape.name, count, shape.spheres, shape.spheres == 1 ? "" : "s",
+               s->materials[shape.material].name, 1e3 * shape.mass, shape.inertia.x,
+               shape.inertia.y, shape.inertia.z);
+    }
+}
+
+static void print_walls(const scene *s) {
+    const clast_world *w = s->world;
+    printf("walls: %d in %d part%s\n", clast_world_wall_count(w), clast_world_part_count(w),
+           clast_world_part_count(w) == 1 ? "" : "s");
+    for (int i = 0; i < clast_world_wall_count(w); i++) {
+        clast_wall_def wall = clast_world_wall(w, i);
+        printf("  %s: %s of %s, part %s, at [%.4g, %.4g, %.4g] m, normal [%.4g, %.4g, %.4g]\n",
+               wall.name, wall.kind == CLAST_WALL_PLANE ? "plane" : "plate",
+               s->materials[wall.material].name,
+               clast_world_part(w, clast_world_wall_part(w, i)).name, wall.point.x, wall.point.y,
+               wall.point.z, wall.normal.x, wall.normal.y, wall.normal.z);
+    }
+}
+
+static void print_pairs(const scene *s) {
+    clast_law law = clast_world_definition(s->world)->law;
+    clast_plan plan = clast_world_plan(s->world);
+    printf("pairs: measured in one head-on collision at %.3g m/s and this scene's step, %.3g s\n",
+           plan.impact_speed, plan.time_step);
+    for (int i = 0; i < s->pair_count; i++) {
+        const scene_pair *p = &s->pairs[i];
+        double measured = scene_rebound(s, p);
+        printf("  %s / %s: friction %g, restitution %g, damping ratio %.5f, measured ",
+               s->materials[p->a].name, s->materials[p->b].name, p->def.friction,
+               p->def.restitution, clast_damping_ratio(law, p->def.restitution));
+        if (measured >= 0)
+            printf("%.5f\n", measured);
+        else
+            printf("nothing: they do not part at this step\n");
+    }
+    printf("mixing: none; every pair is stated. %s\n",
+           law == CLAST_LAW_LINEAR
+               ? "Stiffness is that of the pair."
+               : "Its stiffness follows from both materials: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.");
+}
+
+static void print_summary(const scene *s) {
+    printf("%s: %s\n", s->path, s->title);
+    printf("bodies: %zu, element spheres: %zu\n", clast_world_bodies(s->world).count,
+           clast_world_spheres(s->world).count);
+    print_shapes(s);
+    print_walls(s);
+    print_pairs(s);
+    printf("ends: at %g s", s->ending.latest);
+    if (s->ending.rest_for > 0)
+        printf(", or when no body has been faster than %g m/s for %g s", s->ending.rest_speed,
+               s->ending.rest_for);
+    printf("\nmeasures: %d\n", s->measure_count);
+}
+
+static int check(const arguments *a) {
+    if (access(a->path, R_OK)) {
+        fprintf(stderr, "%s: cannot be opened\n", a->path);
+        return CLAST_EXIT_FILE;
+    }
+    char *faults = NULL;
+    scene_options options = {.set = a->set, .set_count = a->set_count};
+    scene *s = scene_load(a->path, &options, &faults);
+    if (faults) fputs(faults, stderr);
+    if (s) print_summary(s);
+    int code = s ? CLAST_EXIT_OK : CLAST_EXIT_BAD_SCENE;
+    scene_free(s);
+    free(faults);
+    return code;
+}
+
+static int print_keys(void) {
+    char *reference = schema_reference();
+    fputs(reference, stdout);
+    free(reference);
+    return CLAST_EXIT_OK;
+}
+
+int cmd_check(int argc, char **argv) {
+    arguments a = {.set = calloc((size_t)argc + 1, sizeof *a.set)};
+    int code = CLAST_EXIT_USAGE;
+    if (!a.set) return CLAST_EXIT_FILE;
+    if (read_arguments(argc, argv, &a)) {
+        if (a.help) fputs(HELP, stdout);
+        code = a.help ? CLAST_EXIT_OK : a.keys ? print_keys() : check(&a);
+    }
+    free(a.set);
+    return code;
+}

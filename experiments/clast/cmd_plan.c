@@ -1,0 +1,293 @@
+/* cmd_plan.c - what a run would do and cost: kernel, step and its limits, time, and what fewer spheres or
+ * a larger step would save. Every saving named here was measured or follows from the plan. */
+#include "experiments/clast/commands.h"
+#include "experiments/scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char HELP[] =
+    "usage: clast plan SCENE [--set NAME=VALUE]... [--threads N] [--steps N]\n"
+    "\n"
+    "Says which kernel the engine picked, the time step with each of its limits, how many steps and\n"
+    "how long a run takes, and what could be dropped at what saving. Times N steps (default 200) of\n"
+    "the scene as it starts, after as many to warm up; nothing is written.\n"
+    "\n"
+    "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
+    "  --threads N        as in clast run\n"
+    "  --steps N          how many steps to time\n"
+    "\n"
+    "example: clast plan experiments/button-hopper/discharge.yaml --set orifice=5cm --threads 2\n"
+    "exit code: 0, 1 a guard tripped while timing, 2 usage, 3 faults in the scene, 4 no such file\n";
+
+typedef struct arguments {
+    const char *path;
+    scene_options options;
+    const char **set;
+    long steps;
+    bool help;
+} arguments;
+
+static bool read_number(const char *text, long *number) {
+    char *end;
+    *number = strtol(text, &end, 10);
+    return end != text && !*end && *number > 0 && *number <= 1000000;
+}
+
+static bool read_arguments(int argc, char **argv, arguments *a) {
+    for (int i = 1; i < argc; i++) {
+        const char *next = i + 1 < argc ? argv[i + 1] : NULL;
+        long number = 0;
+        if (!strcmp(argv[i], "--help") || !strcmp(argv[i], "-h")) {
+            a->help = true;
+        } else if (!strcmp(argv[i], "--set") && next) {
+            a->set[a->options.set_count++] = argv[++i];
+        } else if (!strcmp(argv[i], "--threads") && next && read_number(next, &number)) {
+            a->options.threads = (int)number;
+            i++;
+        } else if (!strcmp(argv[i], "--steps") && next && read_number(next, &a->steps)) {
+            i++;
+        } else if (argv[i][0] == '-' || a->path) {
+            fprintf(stderr, "clast plan: found '%s'; see clast plan --help\n", argv[i]);
+            return false;
+        } else {
+            a->path = argv[i];
+        }
+    }
+    if (a->path || a->help) return true;
+    fprintf(stderr, "clast plan: no scene given; see clast plan --help\n");
+    return false;
+}
+
+/* ---- timing ---------------------------------------------------------------------------------- */
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Seconds a step: the fastest of five parts, for other work on the machine only ever adds. Negative when a
+ * guard stopped the run. */
+static double time_steps(clast_world *w, long steps) {
+    double best = INFINITY;
+    for (long i = 0; i < steps; i++)
+        if (clast_world_step(w)) return -1;
+    for (int part = 0; part < 5; part++) {
+        long count = steps / 5 > 0 ? steps / 5 : 1;
+        double start = now();
+        for (long i = 0; i < count; i++)
+            if (clast_world_step(w)) return -1;
+        double each = (now() - start) / (double)count;
+        best = each < best ? each : best;
+    }
+    return best;
+}
+
+static void print_duration(double seconds) {
+    if (seconds < 120)
+        printf("%.3g s", seconds);
+    else if (seconds < 7200)
+        printf("%.3g min", seconds / 60);
+    else
+        printf("%.3g h", seconds / 3600);
+}
+
+/* ---- the step -------------------------------------------------------------------------------- */
+
+static void print_limit(const char *name, double limit, const char *from, bool rules) {
+    printf("  %-20s %10.4g s  %s%s\n", name, limit, from, rules ? "  <- rules" : "");
+}
+
+static void print_step(const clast_plan *p, const clast_world_def *def, bool given) {
+    char text[100];
+    double rayleigh = def->rayleigh_fraction * p->rayleigh_step;
+    double contact = p->contact_time / def->contact_resolution;
+    bool by_contact = def->law == CLAST_LAW_LINEAR || contact <= rayleigh;
+    printf("step: %.6g s, %s\n", p->time_step, given ? "as the scene says" : "the smaller of two limits");
+    snprintf(text, sizeof text, "%g of the Rayleigh step, %.4g s", def->rayleigh_fraction,
+             p->rayleigh_step);
+    if (def->law != CLAST_LAW_LINEAR)
+        print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
+    snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps", p->contact_time,
+             p->impact_speed, def->contact_resolution);
+    print_limit("contact resolution", contact, text, !given && by_contact);
+    snprintf(text, sizeof text, "2/omega, where a contact becomes unstable; the step is %.2g of it",
+             p->time_step / p->critical_step);
+    print_limit("critical", p->critical_step, text, false);
+    printf("  so the shortest contact takes %.1f steps\n", p->resolution);
+}
+
+static void print_cost(const scene *s, double each, long steps) {
+    double dt = clast_world_time_step(s->world), count = ceil(s->ending.latest / dt);
+    size_t spheres = clast_world_spheres(s->world).count;
+    clast_counters c = clast_world_counters(s->world);
+    printf("steps: %.0f to %g s\n", count, s->ending.latest);
+    printf("cost: %.4g us a step (%.3g million sphere-steps/s), measured over %ld steps from the start\n",
+           1e6 * each, (double)spheres / each / 1e6, steps);
+    printf("  %zu bodies, %zu spheres, %zu pairs listed, %zu contacts now, %.3g MB\n", c.bodies, spheres,
+           c.pairs, c.contacts, (double)c.bytes / 1e6);
+    printf("  the whole run: ");
+    print_duration(count * each);
+    printf(" if it stays as crowded as it starts; frames and pictures come on top\n");
+    if (c.contacts < c.bodies)
+        printf("  (most bodies are in flight as yet: a settled bed costs more; plan from a settled one with "
+               "bodies: from)\n");
+}
+
+/* ---- what could be dropped --------------------------------------------------------------------- */
+
+/* Rayleigh's limit often leaves contacts resolved far better than asked. */
+static int suggest_step(const clast_plan *p, const clast_world_def *def) {
+    double longest = p->contact_time / def->contact_resolution, critical = 0.5 * p->critical_step;
+    double cap = p->rayleigh_step; /* information must not cross a sphere in less than a step */
+    double step = longest < critical ? longest : critical;
+    if (def->law != CLAST_LAW_LINEAR && step > cap) step = cap;
+    if (step < 1.1 * p->time_step) return 0;
+    printf("  steps: contacts are resolved by %.0f, %g are asked; a step of %.3g s still does that and "
+           "saves %.0f %%\n", p->resolution, def->contact_resolution, step,
+           100 * (1 - p->time_step / step));
+    if (def->law != CLAST_LAW_LINEAR) printf("    (%.2g of the Rayleigh step)\n", step / cap);
+    return 1;
+}
+
+/* Largest distance from the profile inwards to the nearest sphere, along the ray from its centre: what a
+ * fit of an ellipse leaves out. Spheres touch the profile, so it is never negative. */
+static double profile_gap(const clast_shape_def *shape) {
+    double worst = 0;
+    for (int i = 0; i < shape->outline_points; i++) {
+        double x = shape->outline[2 * i], z = shape->outline[2 * i + 1], gap = INFINITY;
+        for (int k = 0; k < shape->spheres; k++) {
+            double dx = x - shape->centre[k].x, dz = z - shape->centre[k].z;
+            double away = sqrt(dx * dx + dz * dz) - shape->radius[k];
+            gap = away < gap ? away : gap;
+        }
+        worst = gap > worst ? gap : worst;
+    }
+    return worst;
+}
+
+/* The shape that was fitted, by what the fit changes: it has an outline and more than one sphere. */
+static int fitted_shape(const clast_world *w) {
+    for (int i = 0; i < clast_world_shape_count(w); i++) {
+        clast_shape_def shape = clast_world_shape(w, i);
+        if (shape.spheres >= 5 && shape.outline_points > 0) return i;
+    }
+    return -1;
+}
+
+static int suggest_fewer_spheres(const arguments *a, const scene *s, double each) {
+    int fitted = fitted_shape(s->world), suggested = 0;
+    if (fitted < 0) return 0;
+    clast_shape_def before = clast_world_shape(s->world, fitted);
+    for (int spheres = before.spheres - 2; spheres >= 3 && suggested < 2; spheres -= 2) {
+        scene_options fewer = a->options;
+        char *faults = NULL;
+        fewer.fit_spheres = spheres;
+        scene *other = scene_load(a->path, &fewer, &faults);
+        free(faults);
+        if (!other) break;
+        clast_shape_def after = clast_world_shape(other->world, fitted);
+        double cost = after.spheres == spheres ? time_steps(other->world, a->steps) : -1;
+        if (cost > 0) {
+            printf("  %s: %d spheres in place of %d %s %.0f %% of the time (measured); the largest gap "
+                   "to the\n    profile grows from %.3g to %.3g mm\n", after.name, spheres,
+                   before.spheres, cost < 0.95 * each ? "save" : "save hardly anything:",
+                   100 * fmax(0, 1 - cost / each), 1e3 * profile_gap(&before),
+                   1e3 * profile_gap(&after));
+            suggested++;
+        }
+        scene_free(other);
+        if (cost <= 0) break;
+    }
+    return suggested;
+}
+
+/* Bodies that start in one layer across an axis and are not pushed along it stay there only if every wall
+ * they meet is across the layer too; that is for the user to judge, so it is put with an if. */
+static int find_layer(const scene *s) {
+    const clast_world_def *def = clast_world_definition(s->world);
+    clast_bodies b = clast_world_bodies(s->world);
+    const double *at[3] = {b.x, b.y, b.z}, *v[3] = {b.vx, b.vy, b.vz};
+    const double gravity[3] = {def->gravity.x, def->gravity.y, def->gravity.z};
+    if (def->motion == CLAST_MOTION_IN_PLANE || b.count < 2) return -1;
+    for (int axis = 0; axis < 3; axis++) {
+        bool layer = gravity[axis] == 0;
+        for (size_t i = 0; i < b.count && layer; i++)
+            layer = at[axis][i] == at[axis][0] && v[axis][i] == 0;
+        if (layer) return axis;
+    }
+    return -1;
+}
+
+static int suggest_plane(int axis) {
+    if (axis < 0) return 0;
+    printf("  the third dimension: all bodies start in one plane across %c and nothing moves them along "
+           "it;\n    motion: in-plane %c would say so, if no wall is oblique to it\n",
+           "xyz"[axis], "xyz"[axis]);
+    return 1;
+}
+
+static void print_not_modelled(const scene *s) {
+    bool friction = false, cohesion = false;
+    for (int i = 0; i < s->pair_count; i++) {
+        friction = friction || s->pairs[i].def.friction > 0;
+        cohesion = cohesion || s->pairs[i].def.cohesion > 0;
+    }
+    const clast_world_def *def = clast_world_definition(s->world);
+    printf("  not asked for, so not modelled:%s%s%s%s\n", friction ? "" : " friction",
+           cohesion ? "" : " cohesion", def->global_damping > 0 ? "" : " global damping",
+           def->motion == CLAST_MOTION_IN_PLANE ? " motion out of plane" : "");
+}
+
+static int plan(const arguments *a, const scene *s) {
+    clast_plan p = clast_world_plan(s->world);
+    const clast_world_def *def = clast_world_definition(s->world);
+    printf("%s: %s\n", s->path, s->title);
+    printf("kernel: %s\n", p.kernel);
+    printf("threads: %d, lanes: %s, skin: %.3g mm\n", p.threads, p.isa, 1e3 * p.skin);
+    print_step(&p, def, s->step_given);
+    int layer = find_layer(s); /* before the timing moves anything */
+    double each = time_steps(s->world, a->steps);
+    if (each < 0) {
+        fprintf(stderr, "clast plan: %s\n", clast_world_error(s->world));
+        return CLAST_EXIT_RUN_FAILED;
+    }
+    print_cost(s, each, a->steps);
+    printf("what could be dropped:\n");
+    int fits = suggest_plane(layer) + suggest_step(&p, def) + suggest_fewer_spheres(a, s, each);
+    if (fits == 0) printf("  nothing that this plan can vouch for\n");
+    print_not_modelled(s);
+    return CLAST_EXIT_OK;
+}
+
+static int load_and_plan(arguments *a) {
+    if (access(a->path, R_OK)) {
+        fprintf(stderr, "%s: cannot be opened\n", a->path);
+        return CLAST_EXIT_FILE;
+    }
+    char *faults = NULL;
+    scene *s = scene_load(a->path, &a->options, &faults);
+    if (faults) fputs(faults, stderr);
+    int code = s ? plan(a, s) : CLAST_EXIT_BAD_SCENE;
+    scene_free(s);
+    free(faults);
+    return code;
+}
+
+int cmd_plan(int argc, char **argv) {
+    arguments a = {.set = calloc((size_t)argc + 1, sizeof *a.set), .steps = 200};
+    if (!a.set) return CLAST_EXIT_FILE;
+    a.options.set = a.set;
+    int code = CLAST_EXIT_USAGE;
+    if (read_arguments(argc, argv, &a)) {
+        if (a.help) fputs(HELP, stdout);
+        code = a.help ? CLAST_EXIT_OK : load_and_plan(&a);
+    }
+    free(a.set);
+    return code;
+}
