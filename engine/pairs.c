@@ -1,4 +1,4 @@
-/* pairs.c - the list of pairs within reach, rebuilt when something has moved half the skin.
+/* pairs.c - the list of pairs within reach, rebuilt when a body or a part has moved half the skin.
  *
  * Everything here is unobservable: the contact forces of a body are added up in the order of its
  * partners' ids, pairs that do not touch add nothing, and histories move by name (records.c). */
@@ -95,13 +95,22 @@ static int32_t coef_of(const clast_world *w, int material_a, int material_b) {
     return (int32_t)(material_a * w->material_count + material_b);
 }
 
-static void add_body_pair(clast_world *w, int32_t a, int32_t b) {
-    uint32_t first = (uint32_t)w->list.candidates.count;
-    add_sphere_candidates(w, a, b);
-    if (w->list.candidates.count == first) return;
+static void push_body_pair(clast_world *w, int32_t a, int32_t b, uint32_t first) {
     const shape *sa = &w->shapes[w->bodies.shape[a]], *sb = &w->shapes[w->bodies.shape[b]];
     *pair_push(w) = (pair){a, b, coef_of(w, sa->material, sb->material), first,
                            sa->mass * sb->mass / (sa->mass + sb->mass)};
+}
+
+static void push_wall_pair(clast_world *w, int32_t a, int wall_index, uint32_t first) {
+    const shape *sa = &w->shapes[w->bodies.shape[a]];
+    *pair_push(w) = (pair){a, -1 - wall_index,
+                           coef_of(w, sa->material, w->walls[wall_index].def.material), first, sa->mass};
+}
+
+static void add_body_pair(clast_world *w, int32_t a, int32_t b) {
+    uint32_t first = (uint32_t)w->list.candidates.count;
+    add_sphere_candidates(w, a, b);
+    if (w->list.candidates.count > first) push_body_pair(w, a, b, first);
 }
 
 static void add_body_pairs(clast_world *w) {
@@ -134,10 +143,7 @@ static void add_wall_pair(clast_world *w, int32_t a, int wall_index) {
         if (wall_approach(l, centre).distance >= s->radius[i] + w->skin) continue;
         candidate_push(w, (int32_t)i, -1 - wall_index, s->radius[i]);
     }
-    if (w->list.candidates.count == first) return;
-    const shape *sa = &w->shapes[w->bodies.shape[a]];
-    *pair_push(w) = (pair){a, -1 - wall_index, coef_of(w, sa->material, l->def.material), first,
-                           sa->mass};
+    if (w->list.candidates.count > first) push_wall_pair(w, a, wall_index, first);
 }
 
 static void add_wall_pairs(clast_world *w) {
@@ -145,6 +151,51 @@ static void add_wall_pairs(clast_world *w) {
     for (int l = 0; l < w->wall_count; l++) {
         if (!w->parts[w->walls[l].part].present) continue;
         for (size_t a = 0; a < w->bodies.count; a++) add_wall_pair(w, (int32_t)a, l);
+    }
+}
+
+/* ---- contacts that have just moved out of reach -----------------------------------------------------------
+
+ * A contact that touched at the last evaluation and is now farther apart than the skin gets a pair of
+ * its own: the law books its end, as it would with a wider skin. */
+
+static void keep_body_contact(clast_world *w, const contact_record *r) {
+    int32_t a = w->slot_of_id[r->a], b = w->slot_of_id[r->b];
+    if (a < 0 || b < 0) return;
+    const sphere_store *s = &w->spheres;
+    size_t i = s->first[a] + (size_t)r->sphere_a, j = s->first[b] + (size_t)r->sphere_b;
+    vec3 between = v3_sub(body_position(w, (size_t)a), body_position(w, (size_t)b));
+    double reach = bound_of(w, a) + bound_of(w, b) + w->skin, ri = s->radius[i], rj = s->radius[j];
+    double dx = s->x[i] - s->x[j], dy = s->y[i] - s->y[j], dz = s->z[i] - s->z[j];
+    double near = ri + rj + w->skin;
+    if (v3_dot(between, between) < reach * reach && dx * dx + dy * dy + dz * dz < near * near) return;
+    uint32_t first = (uint32_t)w->list.candidates.count;
+    candidate_push(w, (int32_t)i, (int32_t)j, ri * rj / (ri + rj));
+    push_body_pair(w, a, b, first);
+}
+
+static void keep_wall_contact(clast_world *w, const contact_record *r) {
+    int32_t a = w->slot_of_id[r->a];
+    int wall_index = (int)(r->b - CLAST_WALL_ID);
+    const wall *l = &w->walls[wall_index];
+    if (a < 0 || !w->parts[l->part].present) return;
+    const sphere_store *s = &w->spheres;
+    size_t i = s->first[a] + (size_t)r->sphere_a;
+    double reach = bound_of(w, a) + w->skin, near = s->radius[i] + w->skin;
+    if (wall_approach(l, body_position(w, (size_t)a)).distance < reach &&
+        wall_approach(l, v3(s->x[i], s->y[i], s->z[i])).distance < near)
+        return;
+    uint32_t first = (uint32_t)w->list.candidates.count;
+    candidate_push(w, (int32_t)i, -1 - wall_index, s->radius[i]);
+    push_wall_pair(w, a, wall_index, first);
+}
+
+static void keep_contacts(clast_world *w, bool with_walls) {
+    for (size_t i = 0; i < w->records.count; i++) {
+        const contact_record *r = &w->records.items[i];
+        if (with_walls != (r->b >= CLAST_WALL_ID)) continue;
+        if (with_walls) keep_wall_contact(w, r);
+        else keep_body_contact(w, r);
     }
 }
 
@@ -251,6 +302,7 @@ static void remember_poses(clast_world *w) {
     for (size_t i = 0; i < b->count; i++)
         w->built[i] = (built_pose){b->x[i], b->y[i], b->z[i], b->qw[i], b->qx[i], b->qy[i], b->qz[i],
                                    w->shapes[b->shape[i]].arm};
+    for (int i = 0; i < w->part_count; i++) w->parts[i].built_offset = w->parts[i].offset;
 }
 
 /* Needs w->records to hold the contacts that touched at the last evaluation. */
@@ -263,7 +315,9 @@ void pairs_rebuild(clast_world *w) {
     spheres_place(w, 0, w->bodies.count);
     remember_poses(w);
     add_body_pairs(w);
+    keep_contacts(w, false);
     add_wall_pairs(w);
+    keep_contacts(w, true);
     *pair_push(w) = (pair){.first = (uint32_t)l->candidates.count};
     l->pair_count--;
     build_incidences(w);

@@ -3,9 +3,13 @@
 
 int clast_part_add(clast_world *w, const clast_part_def *def) {
     CLAST_ASSERT(w && def && !w->prepared);
+    const char *name = def->name ? def->name : "?";
+    if (!isfinite(v3_dot(def->velocity, def->velocity)))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: velocity is not finite", name), -1;
+    if (isnan(def->move_from) || isnan(def->removed_at))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: a time is not a number", name), -1;
     if (def->move_until != 0 && !(def->move_until > def->move_from))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from",
-                          def->name ? def->name : "?"), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from", name), -1;
     int n = w->part_count;
     w->parts = memory_grow(w, w->parts, (size_t)n, (size_t)n + 1, sizeof *w->parts);
     w->parts[n] = (part){.name = memory_text(w, def->name), .def = *def, .present = true};
@@ -18,8 +22,14 @@ static const char *fault_of(const clast_world *w, int part_index, const clast_wa
     if (part_index < 0 || part_index >= w->part_count) return "belongs to no part";
     if (d->material < 0 || d->material >= w->material_count) return "has no such material";
     if (!(v3_norm(d->normal) > 0)) return "has no normal";
+    if (!isfinite(v3_norm(d->normal) + v3_norm(d->side) + v3_norm(d->point)))
+        return "has a point or direction that is not finite";
+    vec3 belt = d->belt_velocity;
+    if (!(fabs(v3_dot(belt, d->normal)) <= 1e-6 * v3_norm(belt) * v3_norm(d->normal)))
+        return "has a belt velocity that is not along its surface";
     if (d->kind == CLAST_WALL_PLANE) return NULL;
     if (!(d->half_side[0] > 0 && d->half_side[1] > 0)) return "has a side that is not above zero";
+    if (!isfinite(d->half_side[0] + d->half_side[1])) return "has a side that is not finite";
     double along = v3_norm(d->side);
     if (!(along > 0)) return "has no side direction";
     double cosine = v3_dot(d->side, d->normal) / (along * v3_norm(d->normal));
@@ -90,6 +100,8 @@ void walls_move(clast_world *w) {
         p->present = present;
         p->offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
         p->velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
+        vec3 way = v3_sub(p->offset, p->built_offset);
+        if (present && !(4 * v3_dot(way, way) < w->skin * w->skin)) w->list.stale = true;
     }
     for (int i = 0; i < w->wall_count; i++) {
         wall *l = &w->walls[i];
