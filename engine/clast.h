@@ -131,7 +131,7 @@ typedef struct clast_material_def {
 int clast_material_add(clast_world *w, const clast_material_def *def);
 
 typedef struct clast_pair_def {
-    double restitution;       /* measured rebound of a single collision, in (0, 1] */
+    double restitution;       /* measured rebound of a single collision, in (0.01, 1] */
     double friction;          /* Coulomb coefficient, >= 0 */
     double cohesion;          /* N, C of A00 1.71 in the friction limit; >= 0 */
     double stiffness;         /* N/m, linear law only; > 0 */
@@ -149,7 +149,8 @@ typedef struct clast_shape_def {
     const clast_vec3 *centre;   /* m, body frame: origin at the centre of mass, principal axes */
     const double *radius;       /* m, > 0 */
     double mass;                /* kg; 0 works it out from the density: spheres must not overlap */
-    clast_vec3 inertia;         /* kg m2, principal; {0} works it out likewise */
+    clast_vec3 inertia;         /* kg m2, principal; {0} works it out likewise: then the centre of mass
+                                   of the spheres must be at the origin, their axes principal */
     int outline_points;         /* target profile for drawing, may be 0 */
     const double *outline;      /* m, outline_points pairs (x, z) in the body frame */
 } clast_shape_def;
@@ -360,7 +361,7 @@ void clast_sincos(double angle, double *sine, double *cosine);
 clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle);
 
 /* Damping ratio (c over critical, at the tangent stiffness) whose single collision, cut off where the
- * contact force would pull, rebounds with restitution e in (0, 1]. Solved with GSL. */
+ * contact force would pull, rebounds with restitution e in (0.01, 1]. Solved with GSL. */
 double clast_damping_ratio(clast_law law, double restitution);
 
 /* The restitution that a given damping ratio yields: inverse of the above. */

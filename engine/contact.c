@@ -78,7 +78,7 @@ void contacts_restore(clast_world *w) {
     }
 }
 
-static double stored_in(const clast_world *w, const pair *p, size_t c) {
+double contact_elastic_energy(const clast_world *w, const pair *p, size_t c) {
     const pair_coef *k = &w->coefs[p->coef];
     const history *h = &w->list.candidates.histories[c];
     double s2 = v3_dot(h->spring, h->spring), d = h->overlap;
@@ -94,6 +94,6 @@ double contacts_elastic_energy(const clast_world *w) {
     for (size_t p = 0; p < l->pair_count; p++)
         for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++)
             if (l->candidates.touching[c])
-                sum_add(&sum, &w->ledger.scale, stored_in(w, &l->pairs[p], c));
+                sum_add(&sum, &w->ledger.scale, contact_elastic_energy(w, &l->pairs[p], c));
     return sum_value(&sum);
 }

@@ -19,6 +19,19 @@ static double gravity_of(const clast_world *w) {
     return sum_value(&sum);
 }
 
+/* The largest elastic energy of a contact times their number: has no order. */
+static double elastic_bound(const clast_world *w) {
+    const pair_list *l = &w->list;
+    double most = 0, count = 0;
+    for (size_t p = 0; p < l->pair_count; p++)
+        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
+            if (!l->candidates.touching[c]) continue;
+            most = fmax(most, contact_elastic_energy(w, &l->pairs[p], c));
+            count++;
+        }
+    return most * count;
+}
+
 /* A power of two that no total of this scene should exceed by much: sets the quanta of the sums. */
 static double energy_scale(const clast_world *w) {
     double mass = 0, fastest2 = 0, extent = v3_norm(v3_sub(w->def.domain_max, w->def.domain_min));
@@ -36,7 +49,7 @@ static double energy_scale(const clast_world *w) {
         vec3 v = v3_add(w->walls[l].def.belt_velocity, w->parts[w->walls[l].part].def.velocity);
         if (v3_dot(v, v) > fastest2) fastest2 = v3_dot(v, v);
     }
-    double scale = mass * (fastest2 + v3_norm(w->def.gravity) * extent);
+    double scale = mass * (fastest2 + v3_norm(w->def.gravity) * extent) + elastic_bound(w);
     return number_power_of_two_above(scale > 1e-200 ? scale : 1e-200);
 }
 

@@ -35,6 +35,37 @@ static vec3 inertia_of(const clast_shape_def *d, double density, double mass) {
     return v3_scale(mass / solid, sum);
 }
 
+static double cube(double r) { return r * r * r; }
+
+static double size_of(const clast_shape_def *d) {
+    double size = 0;
+    for (int i = 0; i < d->spheres; i++) size = fmax(size, v3_norm(d->centre[i]) + d->radius[i]);
+    return size;
+}
+
+/* The centre of mass of the spheres is the origin. */
+static bool is_centred(const clast_shape_def *d) {
+    vec3 moment = {0, 0, 0};
+    double volume = 0;
+    for (int i = 0; i < d->spheres; i++) {
+        moment = v3_add(moment, v3_scale(cube(d->radius[i]), d->centre[i]));
+        volume += cube(d->radius[i]);
+    }
+    return v3_norm(moment) <= 1e-6 * volume * size_of(d);
+}
+
+/* The products of inertia of the spheres vanish. */
+static bool is_aligned(const clast_shape_def *d) {
+    double xy = 0, yz = 0, zx = 0, all = 0;
+    for (int i = 0; i < d->spheres; i++) {
+        vec3 c = d->centre[i];
+        double m = cube(d->radius[i]);
+        xy += m * c.x * c.y, yz += m * c.y * c.z, zx += m * c.z * c.x, all += m;
+    }
+    double limit = 1e-6 * all * size_of(d) * size_of(d);
+    return fabs(xy) <= limit && fabs(yz) <= limit && fabs(zx) <= limit;
+}
+
 static const char *fault_of(const clast_world *w, const clast_shape_def *d) {
     if (d->spheres < 1) return "needs at least one sphere";
     if (d->material < 0 || d->material >= w->material_count) return "has no such material";
@@ -44,6 +75,8 @@ static const char *fault_of(const clast_world *w, const clast_shape_def *d) {
             return "has a sphere that is not finite";
     }
     if (!(d->mass >= 0)) return "has a negative mass";
+    if (!isfinite(d->mass + d->inertia.x + d->inertia.y + d->inertia.z))
+        return "has a mass or a moment of inertia that is not finite";
     vec3 m = d->inertia;
     bool given = m.x != 0 || m.y != 0 || m.z != 0;
     if (given && !(m.x > 0 && m.y > 0 && m.z > 0)) return "has a moment of inertia that is not above zero";
@@ -51,11 +84,16 @@ static const char *fault_of(const clast_world *w, const clast_shape_def *d) {
         return "has moments of inertia that no body can have (triangle inequality)";
     if ((!given || d->mass == 0) && spheres_overlap(d))
         return "has overlapping spheres: give its mass and inertia";
+    if (!given && !is_centred(d))
+        return "has its centre of mass off the origin: move its spheres, or give mass and inertia";
+    if (!given && !is_aligned(d))
+        return "has principal axes other than x, y, z: turn its spheres, or give mass and inertia";
     return NULL;
 }
 
 int clast_shape_add(clast_world *w, const clast_shape_def *d) {
     CLAST_ASSERT(w && d && !w->prepared && d->centre && d->radius);
+    CLAST_ASSERT(d->outline_points >= 0 && (d->outline || d->outline_points == 0));
     const char *fault = fault_of(w, d);
     if (fault)
         return world_fail(w, CLAST_ERR_ARGUMENT, "shape %s %s", d->name ? d->name : "?", fault), -1;

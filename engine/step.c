@@ -31,26 +31,35 @@ static void choose_threads(clast_world *w) {
     size_t n = useful < 1 ? 1 : useful < cores ? useful : cores;
     w->threads = w->def.threads > 0 ? w->def.threads : (int)n;
     size_t threads = (size_t)w->threads, parts = (size_t)w->part_count;
+    memory_release(w->tallies), memory_release(w->tally_work), memory_release(w->body_tallies);
     w->tallies = memory_grow(w, NULL, 0, threads, sizeof *w->tallies);
     w->tally_work = memory_grow(w, NULL, 0, threads * parts + 1, sizeof *w->tally_work);
     w->body_tallies = memory_grow(w, NULL, 0, threads, sizeof *w->body_tallies);
 }
 
+static bool shape_is_of(const clast_world *w, int m) {
+    for (int i = 0; i < w->shape_count; i++)
+        if (w->shapes[i].material == m) return true;
+    return false;
+}
+
+static bool wall_is_of(const clast_world *w, int m) {
+    for (int i = 0; i < w->wall_count; i++)
+        if (w->walls[i].def.material == m) return true;
+    return false;
+}
+
 static clast_status check_pairs(clast_world *w) {
     w->error[0] = '\0';
     int faults = 0;
-    for (int i = 0; i < w->shape_count; i++) {
-        int a = w->shapes[i].material;
-        for (int j = 0; j < w->material_count; j++) {
-            bool needed = false;
-            for (int k = 0; k < w->shape_count; k++) needed |= w->shapes[k].material == j;
-            for (int k = 0; k < w->wall_count; k++) needed |= w->walls[k].def.material == j;
-            if (!needed || w->coefs[a * w->material_count + j].set) continue;
-            if (j < a && w->coefs[j * w->material_count + a].set) continue;
-            world_complain(w, "pair %s / %s is not set", w->materials[a].name, w->materials[j].name);
+    for (int a = 0; a < w->material_count; a++)
+        for (int b = 0; b < w->material_count; b++) {
+            bool said = b < a && shape_is_of(w, b);
+            if (!shape_is_of(w, a) || !(shape_is_of(w, b) || wall_is_of(w, b)) || said) continue;
+            if (w->coefs[a * w->material_count + b].set) continue;
+            world_complain(w, "pair %s / %s is not set", w->materials[a].name, w->materials[b].name);
             faults++;
         }
-    }
     return faults ? CLAST_ERR_ARGUMENT : CLAST_OK;
 }
 
@@ -65,8 +74,14 @@ static clast_status check_plane(clast_world *w) {
     const body_store *b = &w->bodies;
     for (size_t i = 0; i < b->count; i++) {
         double across = v3_at(v3(b->vx[i], b->vy[i], b->vz[i]), w->def.plane_axis);
+        vec3 spin = v3(b->wx[i], b->wy[i], b->wz[i]);
+        double about = v3_at(spin, w->def.plane_axis);
         if (across != 0)
-            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "body %u moves across the plane of motion", b->id[i]);
+            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
+                              "body %u moves across the plane of motion", b->id[i]);
+        if (v3_dot(spin, spin) != about * about)
+            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
+                              "body %u spins out of the plane of motion", b->id[i]);
         if (!plane_is_principal(w, i))
             return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
                               "body %u is tilted out of the plane of motion", b->id[i]);
@@ -97,9 +112,9 @@ clast_status clast_world_prepare(clast_world *w) {
     s = guards_check_start(w);
     if (s) return s;
     w->prepared = true;
-    ledger_set_scale(w);
     w->contact_dt = 0;
-    contacts_evaluate(w);
+    contacts_evaluate(w); /* books nothing: no time has passed */
+    ledger_set_scale(w);
     velocities_start(w);
     w->contact_dt = w->dt;
     ledger_start(w);

@@ -35,15 +35,21 @@ static const char *fault_of(const clast_world_def *d) {
     vec3 lo = d->domain_min, hi = d->domain_max;
     if (!isfinite(v3_dot(d->gravity, d->gravity))) return "gravity is not finite";
     if (!(d->global_damping >= 0)) return "global_damping is below zero";
+    if (!isfinite(d->global_damping)) return "global_damping is not finite";
     if (d->plane_axis < 0 || d->plane_axis > 2) return "plane_axis is not 0, 1 or 2";
     if (!(d->time_step >= 0)) return "time_step is below zero";
+    if (!isfinite(d->time_step)) return "time_step is not finite";
     if (!(d->rayleigh_fraction > 0 && d->rayleigh_fraction <= 1)) return "rayleigh_fraction is not in (0, 1]";
     if (!(d->contact_resolution >= 5)) return "contact_resolution is below 5";
+    if (!isfinite(d->contact_resolution)) return "contact_resolution is not finite";
     if (!(d->impact_speed >= 0)) return "impact_speed is below zero";
+    if (!isfinite(d->impact_speed)) return "impact_speed is not finite";
     if (!(lo.x < hi.x && lo.y < hi.y && lo.z < hi.z)) return "the domain is empty";
+    if (!isfinite(v3_norm(v3_sub(hi, lo)))) return "the domain is not finite";
     if (!(d->max_overlap > 0 && d->max_displacement > 0 && d->max_residual > 0))
         return "a guard's limit is not above zero";
     if (!(d->skin >= 0)) return "skin is below zero";
+    if (!isfinite(d->skin)) return "skin is not finite";
     if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
     return NULL;
 }
@@ -125,10 +131,10 @@ int clast_material_add(clast_world *w, const clast_material_def *def) {
 static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
     if (!(d->restitution > 0.01 && d->restitution <= 1)) return "restitution is not in (0.01, 1]";
     if (!(d->friction >= 0) || !isfinite(d->friction)) return "friction is below zero";
-    if (!(d->cohesion >= 0)) return "cohesion is below zero";
+    if (!(d->cohesion >= 0) || !isfinite(d->cohesion)) return "cohesion is below zero";
     if (w->def.law != CLAST_LAW_LINEAR) return NULL;
-    if (!(d->stiffness > 0)) return "the linear law needs a stiffness above zero";
-    if (!(d->tangential_ratio >= 0)) return "tangential_ratio is below zero";
+    if (!(d->stiffness > 0) || !isfinite(d->stiffness)) return "the linear law needs a stiffness above zero";
+    if (!(d->tangential_ratio >= 0) || !isfinite(d->tangential_ratio)) return "tangential_ratio is below zero";
     return NULL;
 }
 
@@ -158,7 +164,8 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
 
 clast_status clast_pair_set_friction(clast_world *w, int a, int b, double friction) {
     CLAST_ASSERT(w && a >= 0 && a < w->material_count && b >= 0 && b < w->material_count);
-    if (!(friction >= 0)) return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "friction is below zero");
+    if (!(friction >= 0) || !isfinite(friction))
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "friction is below zero");
     w->coefs[a * w->material_count + b].friction = friction;
     w->coefs[b * w->material_count + a].friction = friction;
     return CLAST_OK;

@@ -90,6 +90,7 @@ typedef struct part {
     clast_part_def def;
     bool present;
     vec3 offset, velocity; /* now */
+    vec3 built_offset;     /* when the pair list was built */
     exact_sum work;
     double work_total;     /* J */
 } part;
@@ -301,6 +302,7 @@ void records_reserve(clast_world *w, size_t count);
 void contacts_evaluate(clast_world *w);
 void contacts_restore(clast_world *w);
 void contacts_choose_kernel(clast_world *w);
+double contact_elastic_energy(const clast_world *w, const pair *p, size_t candidate);
 double contacts_elastic_energy(const clast_world *w);
 
 /* motion.c */
