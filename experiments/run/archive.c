@@ -8,6 +8,7 @@
 #include "engine/check.h"
 #include "experiments/run/folder.h"
 #include "experiments/run/results.h"
+#include "experiments/run/stage.h"
 
 #if defined(__clang__)
 #define COMPILER "clang " __clang_version__
@@ -33,6 +34,7 @@ static void write_facts(h5_file *f, const archive_facts *facts) {
     h5_attribute_u64(f, "/", "steps", facts->steps);
     h5_attribute_double(f, "/", "time", facts->time);
     h5_write_text(f, "/scene", s->text ? s->text : "");
+    stage_write(f, s);
 }
 
 static void copy_frames(h5_file *f, const char *folder, h5_file *old, const frame_list *frames) {

@@ -12,8 +12,9 @@
 struct results {
     char *folder, *scene;
     csv *series;
-    h5_file *archive; /* NULL when there is none yet */
+    h5_file *archive;
     frame_list frames;
+    stage *stage;
     char error[RESULTS_ERROR_MAX];
 };
 
@@ -39,8 +40,9 @@ static h5_file *open_archive(const char *folder, char error[RESULTS_ERROR_MAX]) 
     char *path = path_in(folder, FILE_RUN);
     h5_file *f = path_exists(path) ? h5_open(path) : NULL;
     free(path);
-    if (!f || h5_status(f) == CLAST_OK) return f;
-    snprintf(error, RESULTS_ERROR_MAX, "%s", h5_error(f));
+    if (f && h5_status(f) == CLAST_OK) return f;
+    snprintf(error, RESULTS_ERROR_MAX, "%s", f ? h5_error(f) : "");
+    if (!f) snprintf(error, RESULTS_ERROR_MAX, "%s: holds no run (no " FILE_RUN ")", folder);
     h5_free(f);
     return NULL;
 }
@@ -52,12 +54,15 @@ results *results_open(const char *folder, char error[RESULTS_ERROR_MAX]) {
     CLAST_ASSERT(r);
     r->folder = text_format("%s", folder);
     r->archive = open_archive(folder, error);
-    char *series = path_in(folder, FILE_SERIES), *scene = path_in(folder, FILE_SCENE);
+    char *series = path_in(folder, FILE_SERIES), *text = path_in(folder, FILE_SCENE);
     if (!error[0]) r->series = csv_read(series, error);
-    r->scene = read_file(scene);
+    if (!error[0]) r->stage = stage_read(r->archive);
+    if (!error[0] && h5_status(r->archive) != CLAST_OK)
+        snprintf(error, RESULTS_ERROR_MAX, "%s", h5_error(r->archive));
+    r->scene = read_file(text);
     if (!r->scene) r->scene = text_format("%s", "");
     free(series);
-    free(scene);
+    free(text);
     if (r->series && !error[0]) {
         r->frames = frames_find(folder, r->archive);
         return r;
@@ -70,6 +75,7 @@ void results_free(results *r) {
     if (!r) return;
     csv_free(r->series);
     h5_free(r->archive);
+    stage_free(r->stage);
     free(r->frames.items);
     free(r->folder);
     free(r->scene);
@@ -77,6 +83,7 @@ void results_free(results *r) {
 }
 
 const char *results_scene(const results *r) { return r->scene; }
+const stage *results_stage(const results *r) { return r->stage; }
 size_t results_rows(const results *r) { return r->series->rows; }
 const csv *results_table(const results *r) { return r->series; }
 const char *results_error(const results *r) { return r->error; }
@@ -86,9 +93,9 @@ const double *results_series(const results *r, const char *column) {
     return csv_column(r->series, column);
 }
 
-csv *results_samples(const results *r, const char *measure) {
+csv *results_samples(const results *r, const char *name) {
     char error[RESULTS_ERROR_MAX];
-    char *path = text_format("%s/%s.samples.csv", r->folder, measure);
+    char *path = text_format("%s/%s.samples.csv", r->folder, name);
     csv *t = csv_read(path, error);
     free(path);
     return t;

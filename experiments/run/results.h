@@ -18,6 +18,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "experiments/run/stage.h"
+
 enum { RESULTS_ERROR_MAX = 1024 };
 
 /* ---- tables: any CSV file of a run ----------------------------------------------------------------- */
@@ -45,13 +47,16 @@ void results_free(results *r);
 /* The scene as it was run, with its parameters. */
 const char *results_scene(const results *r);
 
+/* Walls, domain and view. */
+const stage *results_stage(const results *r);
+
 /* Rows and columns of series.csv. */
 size_t results_rows(const results *r);
 const double *results_series(const results *r, const char *column);
 const csv *results_table(const results *r);
 
-/* The samples of one measure, NULL when there are none; to be freed with csv_free(). */
-csv *results_samples(const results *r, const char *measure);
+/* The samples of the measure of that name, NULL when there are none; to be freed with csv_free(). */
+csv *results_samples(const results *r, const char *name);
 
 /* Frames in the order of time. */
 size_t results_frames(const results *r);

@@ -183,13 +183,15 @@ static bool write_due(run *r) {
     return !schedule_is_due(&r->checkpoints, now) || write_checkpoint(r);
 }
 
-/* A checkpoint at once: it proves that the folder takes files, and marks whose folder it is. */
+/* An archive without frames and a checkpoint at once: they prove that the folder takes files, say whose
+ * folder it is, and hold the walls and the view for who looks at the run while it goes on. */
 static bool begin_fresh(run *r) {
     int failure = folder_clear_run(r->options->out);
     if (failure) return cannot_write(r, "", failure);
     if (!make_folders(r) || !write_scene(r)) return false;
     failure = recorder_create(&r->recorder, r->options->out);
     if (failure) return cannot_write(r, FILE_SERIES, failure);
+    if (!assemble(r, "running", false) || !make_folders(r)) return false;
     return write_due(r) && write_checkpoint(r);
 }
 
