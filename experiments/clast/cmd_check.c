@@ -1,12 +1,12 @@
 /* cmd_check.c - reads a scene, says everything that is wrong with it, or what it holds. */
 #include "experiments/clast/commands.h"
+#include "experiments/clast/options.h"
 #include "experiments/scene/rebound.h"
 #include "experiments/scene/scene.h"
 #include "experiments/scene/schema.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 static const char HELP[] =
@@ -24,30 +24,20 @@ static const char HELP[] =
 
 typedef struct arguments {
     const char *path;
-    const char **set;
-    int set_count;
-    bool help, keys;
+    option_list set;
+    bool keys;
 } arguments;
 
-/* False, with a message on stderr, when the command line makes no sense. */
+/* False, with a message on standard error, when the command line makes no sense. */
 static bool read_arguments(int argc, char **argv, arguments *a) {
-    for (int i = 1; i < argc; i++) {
-        if (!strcmp(argv[i], "--help") || !strcmp(argv[i], "-h")) {
-            a->help = true;
-        } else if (!strcmp(argv[i], "--keys")) {
-            a->keys = true;
-        } else if (!strcmp(argv[i], "--set") && i + 1 < argc) {
-            a->set[a->set_count++] = argv[++i];
-        } else if (argv[i][0] == '-' || a->path) {
-            fprintf(stderr, "clast check: found '%s'; see clast check --help\n", argv[i]);
-            return false;
-        } else {
-            a->path = argv[i];
-        }
-    }
-    if (a->path || a->help || a->keys) return true;
-    fprintf(stderr, "clast check: no scene given; see clast check --help\n");
-    return false;
+    const option options[] = {
+        {"--set", OPTION_LIST, &a->set, NULL},
+        {"--keys", OPTION_FLAG, &a->keys, NULL},
+    };
+    int found = options_read("check", argc, argv, options, sizeof options / sizeof *options,
+                             &a->path, 1);
+    if (found == 0 && !a->keys) fprintf(stderr, "clast check: which scene? See clast check --help\n");
+    return found == 1 || (found == 0 && a->keys);
 }
 
 static void print_shapes(const scene *s) {
@@ -119,7 +109,7 @@ static int check(const arguments *a) {
         return CLAST_EXIT_FILE;
     }
     char *faults = NULL;
-    scene_options options = {.set = a->set, .set_count = a->set_count};
+    scene_options options = {.set = a->set.items, .set_count = a->set.count};
     scene *s = scene_load(a->path, &options, &faults);
     if (faults) fputs(faults, stderr);
     if (s) print_summary(s);
@@ -137,13 +127,11 @@ static int print_keys(void) {
 }
 
 int cmd_check(int argc, char **argv) {
-    arguments a = {.set = calloc((size_t)argc + 1, sizeof *a.set)};
-    int code = CLAST_EXIT_USAGE;
-    if (!a.set) return CLAST_EXIT_FILE;
-    if (read_arguments(argc, argv, &a)) {
-        if (a.help) fputs(HELP, stdout);
-        code = a.help ? CLAST_EXIT_OK : a.keys ? print_keys() : check(&a);
+    if (options_ask_help(argc, argv)) {
+        fputs(HELP, stdout);
+        return CLAST_EXIT_OK;
     }
-    free(a.set);
-    return code;
+    arguments a = {0};
+    if (!read_arguments(argc, argv, &a)) return CLAST_EXIT_USAGE;
+    return a.keys ? print_keys() : check(&a);
 }

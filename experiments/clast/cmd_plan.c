@@ -1,12 +1,12 @@
 /* cmd_plan.c - what a run would do and cost: kernel, step and its limits, time, and what fewer spheres or
  * a larger step would save. Every saving named here was measured or follows from the plan. */
 #include "experiments/clast/commands.h"
+#include "experiments/clast/options.h"
 #include "experiments/scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -26,41 +26,24 @@ static const char HELP[] =
 
 typedef struct arguments {
     const char *path;
+    option_list set;
     scene_options options;
-    const char **set;
-    long steps;
-    bool help;
+    int steps;
 } arguments;
 
-static bool read_number(const char *text, long *number) {
-    char *end;
-    *number = strtol(text, &end, 10);
-    return end != text && !*end && *number > 0 && *number <= 1000000;
-}
-
+/* False, with a message on standard error, when the command line makes no sense. */
 static bool read_arguments(int argc, char **argv, arguments *a) {
-    for (int i = 1; i < argc; i++) {
-        const char *next = i + 1 < argc ? argv[i + 1] : NULL;
-        long number = 0;
-        if (!strcmp(argv[i], "--help") || !strcmp(argv[i], "-h")) {
-            a->help = true;
-        } else if (!strcmp(argv[i], "--set") && next) {
-            a->set[a->options.set_count++] = argv[++i];
-        } else if (!strcmp(argv[i], "--threads") && next && read_number(next, &number)) {
-            a->options.threads = (int)number;
-            i++;
-        } else if (!strcmp(argv[i], "--steps") && next && read_number(next, &a->steps)) {
-            i++;
-        } else if (argv[i][0] == '-' || a->path) {
-            fprintf(stderr, "clast plan: found '%s'; see clast plan --help\n", argv[i]);
-            return false;
-        } else {
-            a->path = argv[i];
-        }
-    }
-    if (a->path || a->help) return true;
-    fprintf(stderr, "clast plan: no scene given; see clast plan --help\n");
-    return false;
+    const option options[] = {
+        {"--set", OPTION_LIST, &a->set, NULL},
+        {"--threads", OPTION_COUNT, &a->options.threads, NULL},
+        {"--steps", OPTION_COUNT, &a->steps, NULL},
+    };
+    int found = options_read("plan", argc, argv, options, sizeof options / sizeof *options, &a->path,
+                             1);
+    if (found == 0) fprintf(stderr, "clast plan: which scene? See clast plan --help\n");
+    a->options.set = a->set.items;
+    a->options.set_count = a->set.count;
+    return found == 1;
 }
 
 /* ---- timing ---------------------------------------------------------------------------------- */
@@ -73,16 +56,16 @@ static double now(void) {
 
 /* Seconds a step: the fastest of five parts, for other work on the machine only ever adds. Negative when a
  * guard stopped the run. */
-static double time_steps(clast_world *w, long steps) {
+static double time_steps(clast_world *w, int steps) {
     double best = INFINITY;
-    for (long i = 0; i < steps; i++)
+    for (int i = 0; i < steps; i++)
         if (clast_world_step(w)) return -1;
     for (int part = 0; part < 5; part++) {
-        long count = steps / 5 > 0 ? steps / 5 : 1;
+        int count = steps / 5 > 0 ? steps / 5 : 1;
         double start = now();
-        for (long i = 0; i < count; i++)
+        for (int i = 0; i < count; i++)
             if (clast_world_step(w)) return -1;
-        double each = (now() - start) / (double)count;
+        double each = (now() - start) / count;
         best = each < best ? each : best;
     }
     return best;
@@ -122,12 +105,12 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
     printf("  so the shortest contact takes %.1f steps\n", p->resolution);
 }
 
-static void print_cost(const scene *s, double each, long steps) {
+static void print_cost(const scene *s, double each, int steps) {
     double dt = clast_world_time_step(s->world), count = ceil(s->ending.latest / dt);
     size_t spheres = clast_world_spheres(s->world).count;
     clast_counters c = clast_world_counters(s->world);
     printf("steps: %.0f to %g s\n", count, s->ending.latest);
-    printf("cost: %.4g us a step (%.3g million sphere-steps/s), measured over %ld steps from the start\n",
+    printf("cost: %.4g us a step (%.3g million sphere-steps/s), measured over %d steps from the start\n",
            1e6 * each, (double)spheres / each / 1e6, steps);
     printf("  %zu bodies, %zu spheres, %zu pairs listed, %zu contacts now, %.3g MB\n", c.bodies, spheres,
            c.pairs, c.contacts, (double)c.bytes / 1e6);
@@ -280,14 +263,10 @@ static int load_and_plan(arguments *a) {
 }
 
 int cmd_plan(int argc, char **argv) {
-    arguments a = {.set = calloc((size_t)argc + 1, sizeof *a.set), .steps = 200};
-    if (!a.set) return CLAST_EXIT_FILE;
-    a.options.set = a.set;
-    int code = CLAST_EXIT_USAGE;
-    if (read_arguments(argc, argv, &a)) {
-        if (a.help) fputs(HELP, stdout);
-        code = a.help ? CLAST_EXIT_OK : load_and_plan(&a);
+    if (options_ask_help(argc, argv)) {
+        fputs(HELP, stdout);
+        return CLAST_EXIT_OK;
     }
-    free(a.set);
-    return code;
+    arguments a = {.steps = 200};
+    return read_arguments(argc, argv, &a) ? load_and_plan(&a) : CLAST_EXIT_USAGE;
 }

@@ -235,9 +235,10 @@ static void read_switch(scene_reader *r, const scene_key *key, const tree_node *
 static void read_file(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
     const char *text = word(r, key, node);
     if (!text) return;
-    if (text[0] != '/') text = scene_print(r->arena, "%s%s", r->folder, text);
-    if (access(text, R_OK))
-        FAULT(node, "found '%s', which cannot be opened, expected %s", text,
+    const char *beside = text[0] == '/' ? text : scene_print(r->arena, "%s%s", r->folder, text);
+    if (!access(beside, R_OK)) text = beside;
+    if (access(text, R_OK)) /* a path of --set is meant from where the user stands */
+        FAULT(node, "found '%s', which cannot be opened, expected %s", beside,
               schema_expectation(r->arena, key));
     else
         memcpy(field, &text, sizeof text);

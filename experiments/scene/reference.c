@@ -50,7 +50,7 @@ static void append_kind(scene_buffer *out, const scene_key *key) {
         else
             scene_append(out, "a text");
         break;
-    case KEY_FILE: scene_append(out, "a file (relative to the folder of the scene)"); break;
+    case KEY_FILE: scene_append(out, "a file (from the folder of the scene, or the working folder)"); break;
     case KEY_NAME: scene_append(out, "a name from %s", key->refers); break;
     case KEY_NAMES: scene_append(out, "[a, b], both names from %s", key->refers); break;
     case KEY_VECTOR: append_list(out, key, "[x, y, z]"); break;
