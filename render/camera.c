@@ -31,8 +31,7 @@ static render_status make_frame(const double sight[3], const double upward[3], r
     double up[3] = {upward[0], upward[1], upward[2]};
     if (!normalise(lens->ahead))
         return render_fail(RENDER_ERR_ARGUMENT, "camera: the line of sight has no direction");
-    if (!normalise(up))
-        return render_fail(RENDER_ERR_ARGUMENT, "camera: up has no direction");
+    if (!normalise(up)) return render_fail(RENDER_ERR_ARGUMENT, "camera: up has no direction");
     cross(lens->ahead, up, lens->right);
     if (dot(lens->right, lens->right) < 1e-12 || !normalise(lens->right))
         return render_fail(RENDER_ERR_ARGUMENT, "camera: up points along the line of sight");
@@ -130,13 +129,13 @@ static cover box_cover(const render_lens *frame, const double low[3], const doub
     return c;
 }
 
-/* The nearest distance at which the box covers no more slope than allowed, by halving: what it covers
- * shrinks steadily with distance. */
+/* The nearest distance at which the box covers no more slope than allowed, by halving: what it
+ * covers shrinks steadily with distance. */
 static double fit_distance(const render_lens *frame, const double low[3], const double high[3],
                            double slope_x, double slope_y) {
     cover flat = box_cover(frame, low, high, 0);
-    double too_near = flat.depth, enough = flat.depth + fmax((flat.x1 - flat.x0) / slope_x,
-                                                             (flat.y1 - flat.y0) / slope_y);
+    double too_near = flat.depth,
+           enough = flat.depth + fmax((flat.x1 - flat.x0) / slope_x, (flat.y1 - flat.y0) / slope_y);
     for (int i = 0; i < 60 && too_near < enough; i++) {
         double middle = 0.5 * (too_near + enough);
         cover c = box_cover(frame, low, high, fmax(middle, 1e-300));
@@ -156,7 +155,8 @@ static render_status check_fit(const render_view *view, const double low[3], con
                                low[k], high[k], k);
     if (!(room_x >= 1) || !(room_y >= 1))
         return render_fail(RENDER_ERR_ARGUMENT,
-                           "camera: the margins leave %g x %g pixels for the scene", room_x, room_y);
+                           "camera: the margins leave %g x %g pixels for the scene", room_x,
+                           room_y);
     return view->projection == RENDER_PERSPECTIVE ? check_angle(view->angle_deg) : RENDER_OK;
 }
 

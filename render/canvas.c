@@ -23,8 +23,8 @@ struct render_canvas {
     render_gl gl;
     programs program;
     GLuint frame, colour, body, depth; /* framebuffer and its renderbuffers */
-    GLuint vertices, buffer;           /* an empty vertex array; the storage that shaders pull from */
-    int width, height;                 /* samples */
+    GLuint vertices, buffer; /* an empty vertex array; the storage that shaders pull from */
+    int width, height;       /* samples */
     render_cull cull;
     render_strokes strokes;
     uint32_t *read; /* colours, body numbers, then scratch for the resolve */
@@ -145,8 +145,10 @@ render_status render_canvas_new(const render_canvas_def *def, render_canvas **ca
         render_status unbound = render_context_bind(c->context, false);
         if (status == RENDER_OK) status = unbound;
     }
-    if (status == RENDER_OK) *canvas = c;
-    else render_canvas_free(c);
+    if (status == RENDER_OK)
+        *canvas = c;
+    else
+        render_canvas_free(c);
     return status;
 }
 
@@ -187,7 +189,8 @@ static render_status prepare(render_canvas *c, const render_scene *scene, const 
                             .outline = c->def.outline,
                             .outline_fade_px = c->def.outline_fade_px * c->def.samples};
     render_status status = render_cull_spheres(&c->cull, &scene->spheres, lens, &cull);
-    if (status == RENDER_OK) status = render_strokes_build(&c->strokes, scene, lens, c->def.samples);
+    if (status == RENDER_OK)
+        status = render_strokes_build(&c->strokes, scene, lens, c->def.samples);
     return status;
 }
 
@@ -243,7 +246,7 @@ static render_status draw_balls(const render_canvas *c, const render_lens *lens,
     return RENDER_OK;
 }
 
-/* Walls and lines go over the spheres, and fade the outlines they cover (the alpha channel) alike. */
+/* Walls and lines go over the spheres, and fade the outlines that they cover (in alpha) alike. */
 static void blend_over(const render_gl *gl) {
     gl->ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl->Enablei(GL_BLEND, 0);

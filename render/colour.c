@@ -2,16 +2,30 @@
 
 #include <math.h>
 
-/* Points at ninths of the maps, as their authors give them: viridis (S. van der Walt, N. Smith) and cividis
- * (J. Nunez, C. Anderton, R. Renslow, PLOS ONE 13, 2018). Straight lines between them are off by at most
- * a few steps of 255. */
+/* Points at ninths of the maps, as their authors give them: viridis (S. van der Walt, N. Smith) and
+ * cividis (J. Nunez, C. Anderton, R. Renslow, PLOS ONE 13, 2018). Straight lines between them are
+ * off by at most a few steps of 255. */
 enum { POINTS = 10 };
 static const render_rgb MAP[][POINTS] = {
-    [RENDER_VIRIDIS] = {{68, 1, 84}, {72, 40, 120}, {62, 74, 137}, {49, 104, 142}, {38, 130, 142},
-                        {31, 158, 137}, {53, 183, 121}, {110, 206, 88}, {181, 222, 43},
+    [RENDER_VIRIDIS] = {{68, 1, 84},
+                        {72, 40, 120},
+                        {62, 74, 137},
+                        {49, 104, 142},
+                        {38, 130, 142},
+                        {31, 158, 137},
+                        {53, 183, 121},
+                        {110, 206, 88},
+                        {181, 222, 43},
                         {253, 231, 37}},
-    [RENDER_CIVIDIS] = {{0, 34, 78}, {18, 53, 112}, {59, 73, 108}, {87, 93, 109}, {112, 113, 115},
-                        {138, 134, 120}, {165, 156, 116}, {195, 179, 105}, {225, 204, 85},
+    [RENDER_CIVIDIS] = {{0, 34, 78},
+                        {18, 53, 112},
+                        {59, 73, 108},
+                        {87, 93, 109},
+                        {112, 113, 115},
+                        {138, 134, 120},
+                        {165, 156, 116},
+                        {195, 179, 105},
+                        {225, 204, 85},
                         {254, 232, 56}},
 };
 static const double MAP_START = 0.1; /* the darkest tenth would turn black in the shade */

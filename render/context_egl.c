@@ -75,13 +75,16 @@ static render_status open_display(egl *e) {
 }
 
 static render_status create(egl *e) {
-    static const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
+    /* clang-format off */
+    static const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                    EGL_SURFACE_TYPE, 0,
                                     EGL_NONE};
     static const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 4,
                                      EGL_CONTEXT_MINOR_VERSION, 5,
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                      EGL_NONE};
+    /* clang-format on */
     EGLConfig config = NULL;
     EGLint found = 0;
     if (!e->bind_api(EGL_OPENGL_API) || !e->choose(e->display, wanted, &config, 1, &found) ||
@@ -89,8 +92,8 @@ static render_status create(egl *e) {
         return render_fail(RENDER_ERR_UNAVAILABLE, "EGL: no configuration for desktop OpenGL");
     e->context = e->create(e->display, config, EGL_NO_CONTEXT, version);
     if (e->context == EGL_NO_CONTEXT)
-        return render_fail(RENDER_ERR_UNAVAILABLE,
-                           "EGL: no OpenGL 4.5 core context (error 0x%x)", (unsigned)e->error());
+        return render_fail(RENDER_ERR_UNAVAILABLE, "EGL: no OpenGL 4.5 core context (error 0x%x)",
+                           (unsigned)e->error());
     return RENDER_OK;
 }
 

@@ -40,6 +40,7 @@ static render_status load(osmesa *mesa) {
 }
 
 static render_status osmesa_open(void **state) {
+    /* clang-format off */
     static const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
                                      OSMESA_DEPTH_BITS, 0,
                                      OSMESA_STENCIL_BITS, 0,
@@ -48,6 +49,7 @@ static render_status osmesa_open(void **state) {
                                      OSMESA_CONTEXT_MAJOR_VERSION, 4,
                                      OSMESA_CONTEXT_MINOR_VERSION, 5,
                                      0, 0};
+    /* clang-format on */
     osmesa *mesa = calloc(1, sizeof *mesa);
     if (!mesa) return render_fail(RENDER_ERR_MEMORY, "no memory for OSMesa");
     render_status status = load(mesa);

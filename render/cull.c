@@ -1,6 +1,6 @@
 /* Spheres that cannot be seen are dropped before they cost a fragment: front to back, each is first
- * tested against a coarse z-buffer and, if it may be visible, adds the cells it covers for sure. Both
- * steps err on the side of drawing, so the picture is the same to the byte with and without. */
+ * tested against a coarse z-buffer and, if it may be visible, adds the cells it covers for sure.
+ * Both steps err on the side of drawing: the picture is the same to the byte with and without. */
 #include "render/cull.h"
 
 #include "render/status.h"
@@ -105,8 +105,8 @@ static void hide(const cells *c, const disc *d) {
 }
 
 /* A sphere hides what lies behind its section through the centre and parallel to the picture, whose
- * image is a circle in both projections. (Sections nearer to the eye hide earlier but reach less far:
- * one at 0.3 of the radius kept a fifth more spheres.) */
+ * image is a circle in both projections. (Sections nearer to the eye hide earlier but reach less
+ * far: one at 0.3 of the radius kept a fifth more spheres.) */
 static void hide_behind_ball(const cells *c, const float place[4], const render_lens *lens,
                              double slack) {
     double z = place[2], r = place[3];
@@ -186,7 +186,8 @@ static uint32_t float_key(float value) {
     return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-/* By nearest point; equal ones keep the caller's order. Least significant digit first, 11 bits each. */
+/* By nearest point; equal ones keep the caller's order. Least significant digit first, 11 bits
+ * each. */
 static void sort_by_depth(render_cull *cull, size_t count) {
     enum { BITS = 11, BINS = 1 << BITS };
     uint32_t *order = cull->order, *next = cull->spare;

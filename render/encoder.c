@@ -151,8 +151,10 @@ render_status render_encoder_new(const render_encoder_def *def, render_encoder *
     if (status == RENDER_OK) status = probe_folder(e);
     if (status == RENDER_OK) status = render_font_open(def->font, &e->font);
     if (status == RENDER_OK) status = start(e);
-    if (status == RENDER_OK) *encoder = e;
-    else free_encoder(e);
+    if (status == RENDER_OK)
+        *encoder = e;
+    else
+        free_encoder(e);
     return status;
 }
 

@@ -1,5 +1,5 @@
-/* gl.h: the OpenGL 4.5 functions in use, loaded per context (OSMesa and EGL each have their own entry
- * points), and small helpers around programs. */
+/* gl.h: the OpenGL 4.5 functions in use, loaded per context (OSMesa and EGL each have their own
+ * entry points), and small helpers around programs. */
 #ifndef RENDER_GL_H
 #define RENDER_GL_H
 

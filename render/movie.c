@@ -25,10 +25,11 @@ static render_status check_def(const render_movie_def *d) {
         return render_fail(RENDER_ERR_ARGUMENT, "movie: folder, stem and path expected");
     if (!(d->frames_per_s > 0 && d->frames_per_s <= 1000) || d->first < 0 || d->quality < 0 ||
         d->quality > 51)
-        return render_fail(RENDER_ERR_ARGUMENT,
-                           "movie: %g frames/s from picture %d at quality %d (expected more than 0, "
-                           "at least 0, 0 to 51)",
-                           d->frames_per_s, d->first, d->quality);
+        return render_fail(
+            RENDER_ERR_ARGUMENT,
+            "movie: %g frames/s from picture %d at quality %d (expected more than 0, "
+            "at least 0, 0 to 51)",
+            d->frames_per_s, d->first, d->quality);
     return RENDER_OK;
 }
 
@@ -92,7 +93,8 @@ static render_status run(char *const arguments[]) {
     int ends[2];
     if (pipe(ends) != 0)
         return render_fail(RENDER_ERR_PROCESS, "%s: no pipe: %s", arguments[0], strerror(errno));
-    /* Neither end may outlive the exec: a stray copy of the writing end would never let us finish. */
+    /* Neither end may outlive the exec: a stray copy of the writing end would never let us finish.
+     */
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     pid_t child = 0;
@@ -136,9 +138,9 @@ render_status render_movie_make(const render_movie_def *def) {
          framerate[] = "-framerate", start[] = "-start_number", input[] = "-i", filter[] = "-vf",
          codec[] = "-c:v", x264[] = "libx264", format[] = "-pix_fmt", yuv[] = "yuv420p",
          flags[] = "-movflags", faststart[] = "+faststart";
-    char *const arguments[] = {program, log,    level, yes,   framerate, rate,   start, first,
-                               input,   pattern, filter, even, codec,    x264,   crf,   quality,
-                               format,  yuv,    flags, faststart, part,   NULL};
+    char *const arguments[] = {program, log,     level,  yes,       framerate, rate, start, first,
+                               input,   pattern, filter, even,      codec,     x264, crf,   quality,
+                               format,  yuv,     flags,  faststart, part,      NULL};
     status = run(arguments);
     if (status == RENDER_OK && rename(part, def->path) != 0)
         status = render_fail(RENDER_ERR_FILE, "%s: cannot rename: %s", def->path, strerror(errno));

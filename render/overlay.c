@@ -24,7 +24,7 @@ typedef struct ticks {
     int count;
     double value[TICKS_MAX];
     char label[TICKS_MAX][24];
-    char head[2][RENDER_TEXT_MAX * 2]; /* the bar's title, and its unit */
+    char head[2][RENDER_TEXT_MAX * 3]; /* title and unit, in one line or two */
 } ticks;
 
 /* ---- Numbers ---- */
@@ -51,9 +51,9 @@ static void print_number(char *out, size_t size, double value, int decimals) {
 
 /* " x10^n" with superscript digits. */
 static void print_power(char *out, size_t size, int exponent) {
-    static const char *const DIGIT[] = {"\xe2\x81\xb0", "\xc2\xb9", "\xc2\xb2", "\xc2\xb3",
-                                        "\xe2\x81\xb4", "\xe2\x81\xb5", "\xe2\x81\xb6",
-                                        "\xe2\x81\xb7", "\xe2\x81\xb8", "\xe2\x81\xb9"};
+    static const char *const DIGIT[] = {
+        "\xe2\x81\xb0", "\xc2\xb9",     "\xc2\xb2",     "\xc2\xb3",     "\xe2\x81\xb4",
+        "\xe2\x81\xb5", "\xe2\x81\xb6", "\xe2\x81\xb7", "\xe2\x81\xb8", "\xe2\x81\xb9"};
     char digits[16];
     snprintf(digits, sizeof digits, "%d", exponent < 0 ? -exponent : exponent);
     snprintf(out, size, "10%s", exponent < 0 ? "\xe2\x81\xbb" : "");
@@ -69,6 +69,21 @@ static int shared_exponent(double largest) {
     return 3 * (int)floor(log10(largest) / 3 + 1e-9);
 }
 
+/* "speed (m/s)" above the bar; on two lines if that makes the column wide. */
+static void print_heads(const render_overlay *o, int exponent, ticks *t) {
+    char power[40] = "", unit[RENDER_TEXT_MAX + 48];
+    if (exponent != 0) print_power(power, sizeof power, exponent);
+    snprintf(unit, sizeof unit, "%s%s%s", power, *power && *o->bar_unit ? " " : "", o->bar_unit);
+    bool both = *o->bar_title && *unit;
+    bool one_line = strlen(o->bar_title) + strlen(unit) <= 14; /* bytes; near enough */
+    if (both && one_line) {
+        snprintf(t->head[0], sizeof t->head[0], "%s (%s)", o->bar_title, unit);
+    } else {
+        snprintf(t->head[0], sizeof t->head[0], "%s", *o->bar_title ? o->bar_title : unit);
+        if (both) snprintf(t->head[1], sizeof t->head[1], "(%s)", unit);
+    }
+}
+
 static void make_ticks(const render_overlay *o, ticks *t) {
     *t = (ticks){.count = 0};
     int exponent = shared_exponent(fmax(fabs(o->bar_low), fabs(o->bar_high)));
@@ -80,12 +95,7 @@ static void make_ticks(const render_overlay *o, ticks *t) {
         t->value[t->count] = n * step * unit;
         print_number(t->label[t->count++], sizeof t->label[0], n * step, decimals);
     }
-    char power[40] = "";
-    if (exponent != 0) print_power(power, sizeof power, exponent);
-    snprintf(t->head[0], sizeof t->head[0], "%s", o->bar_title);
-    const char *gap = *power && *o->bar_unit ? " " : "";
-    if (*power || *o->bar_unit)
-        snprintf(t->head[1], sizeof t->head[1], "%s%s%s", power, gap, o->bar_unit);
+    print_heads(o, exponent, t);
 }
 
 static void print_length(char *out, size_t size, double metres) {
@@ -133,8 +143,9 @@ static render_status measure_column(layout *l, const render_overlay *o) {
 static render_status check_overlay(const render_overlay *o) {
     if (o->legend_count < 0 || o->legend_count > RENDER_LEGEND_MAX || o->notes_count < 0 ||
         o->notes_count > RENDER_NOTES_MAX)
-        return render_fail(RENDER_ERR_ARGUMENT, "overlay: %d legend entries and %d notes, at most "
-                                                "%d and %d",
+        return render_fail(RENDER_ERR_ARGUMENT,
+                           "overlay: %d legend entries and %d notes, at most "
+                           "%d and %d",
                            o->legend_count, o->notes_count, RENDER_LEGEND_MAX, RENDER_NOTES_MAX);
     bool finite = isfinite(o->bar_low) && isfinite(o->bar_high);
     if (o->bar_shown && !(finite && o->bar_low < o->bar_high))
@@ -148,8 +159,8 @@ static render_status check_overlay(const render_overlay *o) {
                            o->time_decimals);
     if (!(o->scale_px_per_m >= 0) || !(o->scale_m >= 0) || !isfinite(o->scale_px_per_m) ||
         !isfinite(o->scale_m))
-        return render_fail(RENDER_ERR_ARGUMENT, "overlay: scale bar of %g m at %g px/m",
-                           o->scale_m, o->scale_px_per_m);
+        return render_fail(RENDER_ERR_ARGUMENT, "overlay: scale bar of %g m at %g px/m", o->scale_m,
+                           o->scale_px_per_m);
     for (int i = 0; i < o->notes_count; i++)
         if (!(fabs(o->notes[i].x) < 1e6 && fabs(o->notes[i].y) < 1e6))
             return render_fail(RENDER_ERR_ARGUMENT, "overlay: note %d lies at %g, %g", i,
@@ -221,8 +232,8 @@ static render_status draw_head(const layout *l, const render_overlay *o, render_
 
 static render_status draw_scale(const layout *l, const render_overlay *o, render_image *image) {
     if (!(o->scale_px_per_m > 0)) return RENDER_OK;
-    double length = o->scale_m > 0 ? o->scale_m
-                                   : round_below(image->width / 6.0 / o->scale_px_per_m);
+    double length =
+        o->scale_m > 0 ? o->scale_m : round_below(image->width / 6.0 / o->scale_px_per_m);
     double exact = length * o->scale_px_per_m;
     if (!(exact <= image->width))
         return render_fail(RENDER_ERR_ARGUMENT, "overlay: a scale bar of %g m is %g px long",
@@ -303,7 +314,7 @@ static render_status draw_column(const layout *l, const render_overlay *o, rende
     int above = l->top > l->pad ? l->top : l->pad, below = l->pad;
     int room = image->height - above - below, bar = 0, all = legend;
     if (o->bar_shown) {
-        int head = ((*o->bar_title != 0) + 1) * l->line * 5 / 4 + l->line;
+        int head = 2 * l->line * 5 / 4 + l->line;
         bar = image->height / 2;
         if (bar > room - head - legend - 2 * l->line) bar = room - head - legend - 2 * l->line;
         if (bar < 2 * l->line) bar = 2 * l->line;
@@ -334,7 +345,7 @@ render_status render_overlay_draw(render_font *font, const render_overlay *overl
 
 void render_overlay_bands(render_overlay *overlay, double fastest) {
     RENDER_ASSERT(overlay);
-    static const char *const SHARE[3] = {"< 30 %", "30\xe2\x80\x93" "70 %", "> 70 %"};
+    static const char *const SHARE[3] = {"< 30 %", "30\342\200\22370 %", "> 70 %"};
     overlay->legend_count = 3;
     snprintf(overlay->legend_title, sizeof overlay->legend_title, "share of %.3g m/s", fastest);
     for (int i = 0; i < 3; i++) { /* fastest on top, as on a colour bar */

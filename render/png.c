@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <zlib.h>   /* Z_RLE; comes with libpng */
+#include <zlib.h> /* Z_RLE; comes with libpng */
 
 /* What libpng's error handler leaves for us before it jumps. */
 typedef struct trouble {
@@ -54,8 +54,8 @@ static void set_tags(png_structp png, png_infop info, const render_tag *tags, si
     }
 }
 
-/* Everything between here and the end may jump to trouble.out. Level 1 with Z_RLE and the UP filter:
- * level 9 costs ten times the time for 15 % of the size. */
+/* Everything between here and the end may jump to trouble.out. Level 1 with Z_RLE and the UP
+ * filter: level 9 costs ten times the time for 15 % of the size. */
 static void encode(png_structp png, png_infop info, FILE *file, const render_image *image,
                    const render_tag *tags, size_t tag_count) {
     png_init_io(png, file);
@@ -70,8 +70,7 @@ static void encode(png_structp png, png_infop info, FILE *file, const render_ima
     set_tags(png, info, tags, tag_count);
     png_write_info(png, info);
     size_t stride = 3 * (size_t)image->width;
-    for (int y = 0; y < image->height; y++)
-        png_write_row(png, image->rgb + (size_t)y * stride);
+    for (int y = 0; y < image->height; y++) png_write_row(png, image->rgb + (size_t)y * stride);
     png_write_end(png, info);
 }
 

@@ -8,7 +8,7 @@
  *     render_camera camera;
  *     render_image image = {0};
  *     bool ok = render_canvas_new(&def, &canvas) == RENDER_OK &&
- *               render_camera_fit_scene(&camera, &view, &scene, def.width, def.height) == RENDER_OK &&
+ *               render_camera_fit_scene(&camera, &view, &scene, 1280, 720) == RENDER_OK &&
  *               render_canvas_draw(canvas, &scene, &camera, &image) == RENDER_OK &&
  *               render_png_write("two.png", &image, NULL, 0) == RENDER_OK;
  *     if (!ok) fprintf(stderr, "%s\n", render_error_text());
@@ -20,15 +20,17 @@
  * belong to the caller and are only read during the call. A zeroed struct or member means "none" or
  * "automatic", except the *_def structs, which come from their *_default function.
  *
- * Failure. Whatever depends on the outside world or on values in arrays returns a status that must be
- * looked at; render_error_text() then says what, where and what was expected. A broken promise in the
- * arguments themselves (a null pointer where none is allowed) stops the program with file and line.
+ * Failure. Whatever depends on the outside world or on values in arrays returns a status that must
+ * be looked at; render_error_text() then says what, where and what was expected. A broken promise
+ * in the arguments themselves (a null pointer where none is allowed) stops the program with file
+ * and line.
  *
- * Threads. A canvas belongs to the thread that made it. An encoder may be fed by any one thread. Fonts
- * and everything without a handle may be used by several threads, a single font by one at a time.
+ * Threads. A canvas belongs to the thread that made it. An encoder may be fed by any one thread.
+ * Fonts and everything without a handle may be used by several threads, a single font by one at a
+ * time.
  *
- * Determinism. The same arrays give the same bytes on every run, with either backend and for any number
- * of threads, as long as Mesa stays the same. Another Mesa may differ in single pixels.
+ * Determinism. The same arrays give the same bytes on every run, with either backend and for any
+ * number of threads, as long as Mesa stays the same. Another Mesa may differ in single pixels.
  */
 #ifndef RENDER_RENDER_H
 #define RENDER_RENDER_H
@@ -43,7 +45,7 @@
 #define RENDER_MUST_CHECK
 #endif
 
-/* ---- Status ------------------------------------------------------------------------------------ */
+/* ---- Status ---- */
 
 typedef enum render_status {
     RENDER_OK = 0,
@@ -51,15 +53,15 @@ typedef enum render_status {
     RENDER_ERR_MEMORY,      /* an allocation was refused */
     RENDER_ERR_UNAVAILABLE, /* no such backend, font or program on this machine */
     RENDER_ERR_GL,          /* OpenGL is too old, refuses a size, or reports an error */
-    RENDER_ERR_FILE,        /* a file could not be written completely; nothing half-written is left */
-    RENDER_ERR_PROCESS      /* ffmpeg ran and failed */
+    RENDER_ERR_FILE,   /* a file could not be written completely; nothing half-written is left */
+    RENDER_ERR_PROCESS /* ffmpeg ran and failed */
 } render_status;
 
 /* What went wrong in the last call of this thread that returned anything but RENDER_OK. */
 const char *render_error_text(void);
 const char *render_status_name(render_status status);
 
-/* ---- Colours ----------------------------------------------------------------------------------- */
+/* ---- Colours ---- */
 
 typedef struct render_rgb {
     uint8_t r, g, b;
@@ -68,16 +70,16 @@ typedef struct render_rgb {
 typedef enum render_map { RENDER_VIRIDIS, RENDER_CIVIDIS } render_map;
 
 /* The tints of the three velocity bands, slow first: below 30 %, 30 to 70 % and above 70 % of the
- * fastest. Red, blue and green as in the literature, in a ladder of lightness so that they also part
- * for colour-blind readers and in grey print. */
+ * fastest. Red, blue and green as in the literature, in a ladder of lightness so that they also
+ * part for colour-blind readers and in grey print. */
 extern const render_rgb RENDER_BAND_TINT[3];
 
-/* The colour of the map at t, 0 to 1 (clamped; not-a-number gives mid-grey). The dark tenth at the start of the map
- * is left out, because shading would turn it black: t = 0 is the map's own 0.1. */
+/* The colour of the map at t, 0 to 1 (clamped; not-a-number gives mid-grey). The dark tenth at the
+ * start of the map is left out, because shading would turn it black: t = 0 is the map's own 0.1. */
 render_rgb render_map_at(render_map map, double t);
 
-/* Each fills rgb[0..count). Values outside [low, high] take the end colours. If high <= low, all take
- * the colour of low. */
+/* Each fills rgb[0..count). Values outside [low, high] take the end colours. If high <= low, all
+ * take the colour of low. */
 void render_colour_map(render_map map, const double *value, size_t count, double low, double high,
                        render_rgb *rgb);
 
@@ -87,8 +89,8 @@ void render_colour_bands(const double *speed, size_t count, double fastest, rend
 /* A quiet tint by id, the same for the same id in every frame; neighbours in id differ. */
 void render_colour_bodies(const int32_t *body, size_t count, render_rgb *rgb);
 
-/* `stripes` >= 1 stripes of equal height between low and high, in two alternating tints. Feed it the
- * heights of the first frame to see how layers deform later. */
+/* `stripes` >= 1 stripes of equal height between low and high, in two alternating tints. Feed it
+ * the heights of the first frame to see how layers deform later. */
 void render_colour_stripes(const double *height, size_t count, double low, double high, int stripes,
                            render_rgb *rgb);
 
@@ -97,19 +99,20 @@ void render_colour_stripes(const double *height, size_t count, double low, doubl
 void render_colour_spread(const render_rgb *of_body, size_t bodies, const int32_t *body,
                           size_t count, render_rgb *rgb);
 
-/* ---- What is drawn ----------------------------------------------------------------------------- */
+/* ---- What is drawn ---- */
 
 /* Spheres, as columns of doubles. All opaque. */
 typedef struct render_spheres {
     size_t count;
-    const double *x, *y, *z;  /* m, finite */
-    const double *radius;     /* m, > 0 */
-    const int32_t *body;      /* >= 0; equal numbers melt into one outline; NULL: each is its own body */
+    const double *x, *y, *z; /* m, finite */
+    const double *radius;    /* m, > 0 */
+    const int32_t *body; /* >= 0; equal numbers melt into one outline; NULL: each is its own body */
     const render_rgb *colour; /* NULL: all in a neutral tint */
 } render_spheres;
 
-/* A surface of triangles or quads in one colour. Only edges that belong to one face, or where two faces
- * meet at more than 20 degrees, are drawn, so a meshed cylinder shows its rims and not its triangles. */
+/* A surface of triangles or quads in one colour. Only edges that belong to one face, or where two
+ * faces meet at more than 20 degrees, are drawn, so a meshed cylinder shows its rims and not its
+ * triangles. */
 typedef struct render_walls {
     size_t vertex_count;
     const double *vertex; /* m, x y z x y z ... */
@@ -117,8 +120,8 @@ typedef struct render_walls {
     int corners;           /* per face: 3 or 4 (planar quads) */
     const uint32_t *index; /* `corners` vertex numbers per face, in order around it */
     render_rgb colour;
-    double opacity;       /* 0: edges only, 0.1 to 0.3 reads well, 1: hides what is behind */
-    double edge_px;       /* width of the edges in picture pixels, 0: none */
+    double opacity; /* 0: edges only, 0.1 to 0.3 reads well, 1: hides what is behind */
+    double edge_px; /* width of the edges in picture pixels, 0: none */
     render_rgb edge_colour;
 } render_walls;
 
@@ -146,18 +149,19 @@ typedef struct render_scene {
 /* The smallest box around everything; an empty scene gives zeros. */
 void render_scene_bounds(const render_scene *scene, double low[3], double high[3]);
 
-/* ---- Camera ------------------------------------------------------------------------------------ */
+/* ---- Camera ---- */
 
 typedef enum render_projection { RENDER_ORTHOGRAPHIC, RENDER_PERSPECTIVE } render_projection;
 
 typedef struct render_camera {
     render_projection projection;
-    double eye[3];          /* m */
-    double target[3];       /* m; != eye */
-    double up[3];           /* not along the line of sight; need not be unit or exactly upright */
-    double height_m;        /* orthographic: what the full picture height spans, m */
-    double angle_deg;       /* perspective: what the full picture height spans, 0 to 170 */
-    double shift_x, shift_y; /* target is drawn this far right / up of the centre, fraction of the picture */
+    double eye[3];    /* m */
+    double target[3]; /* m; != eye */
+    double up[3];     /* not along the line of sight; need not be unit or exactly upright */
+    double height_m;  /* orthographic: what the full picture height spans, m */
+    double angle_deg; /* perspective: what the full picture height spans, 0 to 170 */
+    double shift_x,
+        shift_y; /* target is drawn this far right / up of the centre, fraction of the picture */
 } render_camera;
 
 /* Room kept free around the particles, picture pixels. */
@@ -177,7 +181,8 @@ typedef struct render_view {
 /* Orthographic, along +y with z up (the front view of a bed in the xz plane), margins of 24 px. */
 render_view render_view_default(void);
 
-/* The camera that shows the box low..high as large as the margins allow, in a picture of that size. */
+/* The camera that shows the box low..high as large as the margins allow, in a picture of that size.
+ */
 RENDER_MUST_CHECK render_status render_camera_fit(render_camera *camera, const render_view *view,
                                                   const double low[3], const double high[3],
                                                   int width, int height);
@@ -186,15 +191,15 @@ RENDER_MUST_CHECK render_status render_camera_fit_scene(render_camera *camera,
                                                         const render_scene *scene, int width,
                                                         int height);
 
-/* Where a world point falls in a picture: pixels from the top left corner, and the depth along the line
- * of sight in m. False if it lies behind a perspective camera. */
+/* Where a world point falls in a picture: pixels from the top left corner, and the depth along the
+ * line of sight in m. False if it lies behind a perspective camera. */
 bool render_camera_project(const render_camera *camera, int width, int height,
                            const double point[3], double pixel[2], double *depth_m);
 
 /* Pixels per metre at the depth of the target (everywhere, if orthographic): for scale bars. */
 double render_camera_scale(const render_camera *camera, int height);
 
-/* ---- Canvas: the thing that draws -------------------------------------------------------------- */
+/* ---- Canvas: the thing that draws ---- */
 
 /* RENDER_DRAFT: one sample per pixel, plain outline; for watching a run.
  * RENDER_FINAL: 2 x 2 samples per pixel, smooth outline; for papers and animations. */
@@ -215,7 +220,8 @@ typedef struct render_canvas_def {
 /* 1280 x 720, white, "auto", cull on. */
 render_canvas_def render_canvas_default(render_preset preset);
 
-/* An RGB picture, rows from the top, 3 bytes per pixel without padding. {0} is a valid empty one. */
+/* An RGB picture, rows from the top, 3 bytes per pixel without padding. {0} is a valid empty one.
+ */
 typedef struct render_image {
     int width, height;
     uint8_t *rgb;
@@ -236,15 +242,15 @@ typedef struct render_timing {
 
 typedef struct render_canvas render_canvas;
 
-/* Sets LP_NUM_THREADS (llvmpipe's worker threads) to the number of cores, and asks Mesa for software
- * rendering, unless the environment says otherwise already; so call it before starting threads that
- * read the environment. */
+/* Sets LP_NUM_THREADS (llvmpipe's worker threads) to the number of cores, and asks Mesa for
+ * software rendering, unless the environment says otherwise already; so call it before starting
+ * threads that read the environment. */
 RENDER_MUST_CHECK render_status render_canvas_new(const render_canvas_def *def,
                                                   render_canvas **canvas);
 
-/* Draws into `image`, which is given the size of the canvas. Refused, with the index in the text: not
- * finite numbers, radii <= 0, negative bodies, vertex numbers out of range. Spheres that contain the
- * eye of a perspective camera, or lie behind it, are left out. */
+/* Draws into `image`, which is given the size of the canvas. Refused, with the index in the text:
+ * not finite numbers, radii <= 0, negative bodies, vertex numbers out of range. Spheres that
+ * contain the eye of a perspective camera, or lie behind it, are left out. */
 RENDER_MUST_CHECK render_status render_canvas_draw(render_canvas *canvas, const render_scene *scene,
                                                    const render_camera *camera,
                                                    render_image *image);
@@ -253,7 +259,7 @@ const char *render_canvas_backend(const render_canvas *canvas);  /* "osmesa" or 
 const char *render_canvas_renderer(const render_canvas *canvas); /* "llvmpipe (...) / 4.5 ..." */
 void render_canvas_free(render_canvas *canvas);                  /* NULL is fine */
 
-/* ---- Overlay: labels --------------------------------------------------------------------------- */
+/* ---- Overlay: labels ---- */
 
 enum { RENDER_TEXT_MAX = 96, RENDER_LEGEND_MAX = 8, RENDER_NOTES_MAX = 8 };
 
@@ -267,17 +273,17 @@ typedef struct render_note {
     char text[RENDER_TEXT_MAX];
 } render_note;
 
-/* Everything written on a picture. All text is UTF-8, longer text is cut off. A plain value: it may be
- * copied, and an encoder keeps its own copy. {0} draws nothing. Title and time stand in the top margin,
- * the scale bar in the bottom margin, colour bar and legend in the right margin. */
+/* Everything written on a picture. All text is UTF-8, longer text is cut off. A plain value: it may
+ * be copied, and an encoder keeps its own copy. {0} draws nothing. Title and time stand in the top
+ * margin, the scale bar in the bottom margin, colour bar and legend in the right margin. */
 typedef struct render_overlay {
     char title[RENDER_TEXT_MAX];
     bool time_shown;
     double time_s;
     int time_decimals; /* digits after the point, 0 to 9 */
 
-    double scale_px_per_m;         /* from render_camera_scale(); 0: no scale bar */
-    double scale_m;                /* length of the bar; 0: a round length near a sixth of the picture */
+    double scale_px_per_m; /* from render_camera_scale(); 0: no scale bar */
+    double scale_m;        /* length of the bar; 0: a round length near a sixth of the picture */
 
     bool bar_shown;
     render_map bar_map;
@@ -292,8 +298,8 @@ typedef struct render_overlay {
     int notes_count; /* 0 to RENDER_NOTES_MAX */
     render_note notes[RENDER_NOTES_MAX];
 
-    double text_px;        /* font size; 0: a 40th of the picture height (less if tall), at least 11 */
-    bool dark_background;  /* true: light ink */
+    double text_px; /* font size; 0: a 40th of the picture height (less if tall), at least 11 */
+    bool dark_background; /* true: light ink */
 } render_overlay;
 
 /* Fills the legend with the three velocity bands of render_colour_bands(), fastest first. */
@@ -314,11 +320,12 @@ RENDER_MUST_CHECK render_status render_overlay_draw(render_font *font,
                                                     const render_overlay *overlay,
                                                     render_image *image);
 
-/* ---- Files ------------------------------------------------------------------------------------- */
+/* ---- Files ---- */
 
 /* Metadata of a picture: becomes a PNG text chunk. */
 typedef struct render_tag {
-    const char *key;  /* 1 to 79 characters of ASCII; "Title", "Software" and "Source" are customary */
+    const char
+        *key; /* 1 to 79 characters of ASCII; "Title", "Software" and "Source" are customary */
     const char *text; /* UTF-8 */
 } render_tag;
 
@@ -344,9 +351,9 @@ typedef struct render_encoder render_encoder;
 RENDER_MUST_CHECK render_status render_encoder_new(const render_encoder_def *def,
                                                    render_encoder **encoder);
 
-/* Copies the picture, overlay (NULL: none) and tags, and returns; pictures are numbered in the order of
- * the calls. The first failure of the thread is returned by every later push and by finish, and the
- * pictures after it are not written. */
+/* Copies the picture, overlay (NULL: none) and tags, and returns; pictures are numbered in the
+ * order of the calls. The first failure of the thread is returned by every later push and by
+ * finish, and the pictures after it are not written. */
 RENDER_MUST_CHECK render_status render_encoder_push(render_encoder *encoder,
                                                     const render_image *image,
                                                     const render_overlay *overlay,
@@ -375,7 +382,8 @@ typedef struct render_movie_def {
 /* Stem "frame", first 0, 25 frames/s, quality 18. */
 render_movie_def render_movie_default(void);
 
-/* Runs ffmpeg (H.264, yuv420p, plays in every browser). RENDER_ERR_UNAVAILABLE without ffmpeg on PATH. */
+/* Runs ffmpeg (H.264, yuv420p, plays in every browser). RENDER_ERR_UNAVAILABLE without ffmpeg on
+ * PATH. */
 RENDER_MUST_CHECK render_status render_movie_make(const render_movie_def *def);
 
 #endif

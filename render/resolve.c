@@ -16,8 +16,8 @@ static uint32_t weight_of(uint32_t darkness) {
     return FULL - ((darkness + 2) >> 2); /* 255 gives 0 */
 }
 
-/* 2 x 2: a sample is darkened if any of its four neighbours belongs to another body, which makes a line
- * of one final pixel between two bodies. */
+/* 2 x 2: a sample is darkened if any of its four neighbours belongs to another body, which makes a
+ * line of one final pixel between two bodies. */
 static void weigh_fine(const render_samples *s, int row, uint32_t *restrict weight) {
     const uint32_t *rgba = row_of(s->rgba, s, row), *here = row_of(s->body, s, row);
     const uint32_t *under = row_of(s->body, s, row - 1), *over = row_of(s->body, s, row + 1);
@@ -35,8 +35,8 @@ static void weigh_fine(const render_samples *s, int row, uint32_t *restrict weig
     }
 }
 
-/* 1 x 1: one pixel wide as well, so it looks right and down only, and takes the darker of both sides (a
- * background pixel has no darkness of its own). */
+/* 1 x 1: one pixel wide as well, so it looks right and down only, and takes the darker of both
+ * sides (a background pixel has no darkness of its own). */
 static void weigh_plain(const render_samples *s, int row, uint32_t *restrict weight) {
     const uint32_t *rgba = row_of(s->rgba, s, row), *here = row_of(s->body, s, row);
     const uint32_t *below_rgba = row_of(s->rgba, s, row - 1), *under = row_of(s->body, s, row - 1);
@@ -51,7 +51,8 @@ static void weigh_plain(const render_samples *s, int row, uint32_t *restrict wei
     weight[last] = weight_of(here[last] != under[last] ? (own > below ? own : below) : 0);
 }
 
-/* Adds `times` times the weighted colours of a row: red and blue in one word, green in the other. */
+/* Adds `times` times the weighted colours of a row: red and blue in one word, green in the other.
+ */
 static void add_row(const uint32_t *restrict rgba, const uint32_t *restrict weight, int width,
                     uint32_t times, uint32_t *restrict red_blue, uint32_t *restrict green) {
     for (int i = 0; i < width; i++) {
@@ -90,8 +91,10 @@ void render_resolve(const render_samples *s, render_image *image) {
         memset(s->scratch, 0, 2 * width * sizeof *s->scratch);
         for (int sub = 0; sub < s->per_pixel; sub++) {
             int row = s->height - 1 - (y * s->per_pixel + sub);
-            if (s->per_pixel == 2 && s->width > 1) weigh_fine(s, row, weight);
-            else weigh_plain(s, row, weight);
+            if (s->per_pixel == 2 && s->width > 1)
+                weigh_fine(s, row, weight);
+            else
+                weigh_plain(s, row, weight);
             add_row(row_of(s->rgba, s, row), weight, s->width, times, red_blue, green);
         }
         store(image->rgb + 3 * (size_t)y * (size_t)image->width, red_blue, green, image->width,

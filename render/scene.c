@@ -16,8 +16,7 @@ static render_status check_spheres(const render_spheres *s) {
     static const char *const NAME[] = {"x", "y", "z", "radius"};
     if (s->count == 0) return RENDER_OK;
     for (int k = 0; k < 4; k++) {
-        if (!column[k])
-            return render_fail(RENDER_ERR_ARGUMENT, "spheres: no %s given", NAME[k]);
+        if (!column[k]) return render_fail(RENDER_ERR_ARGUMENT, "spheres: no %s given", NAME[k]);
         size_t bad = first_bad(column[k], s->count);
         if (bad < s->count)
             return render_fail(RENDER_ERR_ARGUMENT, "spheres: %s of sphere %zu is %g, not finite",
@@ -25,8 +24,8 @@ static render_status check_spheres(const render_spheres *s) {
     }
     for (size_t i = 0; i < s->count; i++)
         if (s->radius[i] <= 0)
-            return render_fail(RENDER_ERR_ARGUMENT, "spheres: radius of sphere %zu is %g m, not > 0",
-                               i, s->radius[i]);
+            return render_fail(RENDER_ERR_ARGUMENT,
+                               "spheres: radius of sphere %zu is %g m, not > 0", i, s->radius[i]);
     for (size_t i = 0; s->body && i < s->count; i++)
         if (s->body[i] < 0)
             return render_fail(RENDER_ERR_ARGUMENT, "spheres: body of sphere %zu is %ld, not >= 0",

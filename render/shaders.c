@@ -16,8 +16,9 @@ const char RENDER_SHADER_COMMON[] =
     "#endif\n"
     "}\n";
 
-/* One triangle around each sphere: around its disc (orthographic) or around the cone that touches it,
- * cut through its centre (perspective). A thousandth larger, so that rounding takes nothing away. */
+/* One triangle around each sphere: around its disc (orthographic) or around the cone that touches
+ * it, cut through its centre (perspective). A thousandth larger, so that rounding takes nothing
+ * away. */
 const char RENDER_BALL_VERTEX[] =
     "struct Ball { vec4 place; uint rgba; uint body; uint unused0; uint unused1; };\n"
     "layout(std430, binding = 0) readonly buffer Balls { Ball ball[]; };\n"
@@ -30,7 +31,8 @@ const char RENDER_BALL_VERTEX[] =
     "flat out vec2 depth;\n"
     "out vec2 at;\n"
     "#endif\n"
-    "const vec2 CORNER[3] = vec2[3](vec2(0.0, 2.002), vec2(-1.7338, -1.001), vec2(1.7338, -1.001));\n"
+    "const vec2 CORNER[3] = vec2[3](vec2(0.0, 2.002), vec2(-1.7338, -1.001),\n"
+    "                               vec2(1.7338, -1.001));\n"
     "void main() {\n"
     "    Ball b = ball[gl_VertexID / 3];\n"
     "    vec2 corner = CORNER[gl_VertexID % 3];\n"
@@ -101,17 +103,16 @@ const char RENDER_FACE_VERTEX[] =
     "    gl_Position = project(c.place.xyz);\n"
     "}\n";
 
-const char RENDER_FACE_FRAGMENT[] =
-    "flat in vec4 colour;\n"
-    "in float z;\n"
-    "layout(location = 0) out vec4 pixel;\n"
-    "void main() {\n"
-    "    gl_FragDepth = depth_of(z);\n"
-    "    pixel = colour;\n"
-    "}\n";
+const char RENDER_FACE_FRAGMENT[] = "flat in vec4 colour;\n"
+                                    "in float z;\n"
+                                    "layout(location = 0) out vec4 pixel;\n"
+                                    "void main() {\n"
+                                    "    gl_FragDepth = depth_of(z);\n"
+                                    "    pixel = colour;\n"
+                                    "}\n";
 
-/* Lines come in drawn pixels: a quad around the segment, and the fragment measures its distance, which
- * gives round ends and smooth borders. lens.xy holds 2 / size here. */
+/* Lines come in drawn pixels: a quad around the segment, and the fragment measures its distance,
+ * which gives round ends and smooth borders. lens.xy holds 2 / size here. */
 const char RENDER_LINE_VERTEX[] =
     "struct Line { vec4 from; vec4 to; };\n" /* x y z and: half width, bits of the colour */
     "layout(std430, binding = 0) readonly buffer Lines { Line line[]; };\n"

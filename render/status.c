@@ -26,13 +26,20 @@ const char *render_error_text(void) {
 
 const char *render_status_name(render_status status) {
     switch (status) {
-    case RENDER_OK: return "ok";
-    case RENDER_ERR_ARGUMENT: return "bad argument";
-    case RENDER_ERR_MEMORY: return "out of memory";
-    case RENDER_ERR_UNAVAILABLE: return "not available";
-    case RENDER_ERR_GL: return "OpenGL failed";
-    case RENDER_ERR_FILE: return "file not written";
-    case RENDER_ERR_PROCESS: return "program failed";
+    case RENDER_OK:
+        return "ok";
+    case RENDER_ERR_ARGUMENT:
+        return "bad argument";
+    case RENDER_ERR_MEMORY:
+        return "out of memory";
+    case RENDER_ERR_UNAVAILABLE:
+        return "not available";
+    case RENDER_ERR_GL:
+        return "OpenGL failed";
+    case RENDER_ERR_FILE:
+        return "file not written";
+    case RENDER_ERR_PROCESS:
+        return "program failed";
     }
     return "unknown status";
 }

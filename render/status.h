@@ -1,6 +1,7 @@
 /* status.h: the three kinds of failure inside render/.
- * A broken invariant stops with file and line (RENDER_ASSERT, also in release); a costly check exists
- * in checked builds (RENDER_CHECK); the outside world returns a status through render_fail(). */
+ * A broken invariant stops with file and line (RENDER_ASSERT, also in release); a costly check
+ * exists in checked builds (RENDER_CHECK); the outside world returns a status through
+ * render_fail(). */
 #ifndef RENDER_STATUS_H
 #define RENDER_STATUS_H
 

@@ -73,8 +73,8 @@ static render_status list_faces(render_strokes *st, const render_scene *scene,
     for (size_t g = 0; g < scene->walls_count; g++) {
         const render_walls *w = &scene->walls[g];
         if (w->opacity <= 0) continue;
-        render_status status = grow((void **)&st->item, &st->item_room, *count + w->face_count,
-                                    sizeof *st->item);
+        render_status status =
+            grow((void **)&st->item, &st->item_room, *count + w->face_count, sizeof *st->item);
         if (status != RENDER_OK) return status;
         for (size_t f = 0; f < w->face_count; f++) {
             double depth = 0;
@@ -147,18 +147,18 @@ static render_status add_segment(render_strokes *st, const render_lens *lens, co
     render_lens_view(lens, from[0], from[1], from[2], a);
     render_lens_view(lens, to[0], to[1], to[2], b);
     if (!clip(lens, a, b)) return RENDER_OK;
-    render_status status = grow((void **)&st->segment, &st->segment_room, st->segments + 1,
-                                sizeof *st->segment);
+    render_status status =
+        grow((void **)&st->segment, &st->segment_room, st->segments + 1, sizeof *st->segment);
     if (status != RENDER_OK) return status;
     if (unit == RENDER_METRES) half_width *= render_lens_scale(lens, 0.5 * (a[2] + b[2]));
     double scale_a = render_lens_scale(lens, a[2]), scale_b = render_lens_scale(lens, b[2]);
-    st->segment[st->segments++] = (render_segment){
-        .from = {(float)(lens->centre_x + a[0] * scale_a), (float)(lens->centre_y + a[1] * scale_a),
-                 (float)a[2]},
-        .half_width = (float)half_width,
-        .to = {(float)(lens->centre_x + b[0] * scale_b), (float)(lens->centre_y + b[1] * scale_b),
-               (float)b[2]},
-        .rgba = rgba};
+    st->segment[st->segments++] =
+        (render_segment){.from = {(float)(lens->centre_x + a[0] * scale_a),
+                                  (float)(lens->centre_y + a[1] * scale_a), (float)a[2]},
+                         .half_width = (float)half_width,
+                         .to = {(float)(lens->centre_x + b[0] * scale_b),
+                                (float)(lens->centre_y + b[1] * scale_b), (float)b[2]},
+                         .rgba = rgba};
     return RENDER_OK;
 }
 
@@ -210,9 +210,9 @@ static render_status add_wall_edges(render_strokes *st, const render_walls *w,
         for (next = i + 1; next < count; next++)
             if (st->edge[next].low != e->low || st->edge[next].high != e->high) break;
         if (e->low == e->high || !is_feature(w, e, next - i)) continue;
-        status = add_segment(st, lens, w->vertex + 3 * (size_t)e->low,
-                             w->vertex + 3 * (size_t)e->high, 0.5 * w->edge_px * samples,
-                             RENDER_PIXELS, pack(w->edge_colour, 1, 1));
+        status =
+            add_segment(st, lens, w->vertex + 3 * (size_t)e->low, w->vertex + 3 * (size_t)e->high,
+                        0.5 * w->edge_px * samples, RENDER_PIXELS, pack(w->edge_colour, 1, 1));
         if (status != RENDER_OK) return status;
     }
     return RENDER_OK;

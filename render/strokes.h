@@ -17,7 +17,8 @@ typedef struct render_segment {
 
 /* What a frame has besides spheres. {0} is a valid start; memory is kept from frame to frame. */
 typedef struct render_strokes {
-    render_corner *corner; /* three per triangle: the opaque ones, then the others, farthest first */
+    render_corner
+        *corner; /* three per triangle: the opaque ones, then the others, farthest first */
     size_t opaque_corners, corners, corner_room;
     render_segment *segment; /* hidden by spheres first, then those on top; each farthest first */
     size_t hidden_segments, segments, segment_room;

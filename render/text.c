@@ -65,8 +65,10 @@ render_status render_font_open(const char *path, render_font **font) {
         return render_fail(RENDER_ERR_MEMORY, "no memory for FreeType");
     }
     render_status status = open_somewhere(made, path);
-    if (status == RENDER_OK) *font = made;
-    else render_font_close(made);
+    if (status == RENDER_OK)
+        *font = made;
+    else
+        render_font_close(made);
     return status;
 }
 
@@ -84,8 +86,10 @@ static uint32_t next_character(const char **text) {
     int extra = s[0] < 0x80 ? 0 : s[0] >= 0xf0 ? 3 : s[0] >= 0xe0 ? 2 : s[0] >= 0xc0 ? 1 : -1;
     uint32_t c = extra <= 0 ? s[0] : s[0] & (0x3fu >> extra);
     for (int i = 1; i <= extra; i++) {
-        if ((s[i] & 0xc0) != 0x80) extra = -1;
-        else c = c << 6 | (s[i] & 0x3fu);
+        if ((s[i] & 0xc0) != 0x80)
+            extra = -1;
+        else
+            c = c << 6 | (s[i] & 0x3fu);
     }
     *text += extra < 0 ? 1 : extra + 1;
     return extra < 0 ? 0xfffd : c;
@@ -181,8 +185,8 @@ static void paint(const stencil *s, int x, int y, render_ink ink, render_image *
                         s->cover[(size_t)j * (size_t)s->width + (size_t)i]);
 }
 
-render_status render_text_draw(render_font *font, render_style style, const char *text, int x, int y,
-                               render_ink ink, render_image *image) {
+render_status render_text_draw(render_font *font, render_style style, const char *text, int x,
+                               int y, render_ink ink, render_image *image) {
     RENDER_ASSERT(font && text && image && image->rgb && style.px > 0);
     int width = 0, margin = 3 + style.px / 4;
     render_status status = render_text_measure(font, style, text, &width);

@@ -18,7 +18,7 @@ render_status render_text_measure(render_font *font, render_style style, const c
                                   int *width);
 
 /* Left end of the baseline at x, y; clipped at the borders of the image. */
-render_status render_text_draw(render_font *font, render_style style, const char *text, int x, int y,
-                               render_ink ink, render_image *image);
+render_status render_text_draw(render_font *font, render_style style, const char *text, int x,
+                               int y, render_ink ink, render_image *image);
 
 #endif

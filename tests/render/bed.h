@@ -1,5 +1,6 @@
-/* bed.h: a dense bed of spheres for tests and benchmarks: a close packing with jitter, as loose as a poured bed, deterministic,
- * in plain arrays. Positions depend on a frame number, so that a sequence moves a little. */
+/* bed.h: a dense bed of spheres for tests and benchmarks: a close packing with jitter, as loose as
+ * a poured bed, deterministic, in plain arrays. Positions depend on a frame number, so that a
+ * sequence moves a little. */
 #ifndef TESTS_RENDER_BED_H
 #define TESTS_RENDER_BED_H
 

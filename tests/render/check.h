@@ -1,4 +1,5 @@
-/* check.h: what the tests of render/ share: cmocka, and drawing a scene or failing with the message. */
+/* check.h: what the tests of render/ share: cmocka, and drawing a scene or failing with the
+ * message. */
 #ifndef TESTS_RENDER_CHECK_H
 #define TESTS_RENDER_CHECK_H
 

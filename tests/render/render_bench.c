@@ -1,5 +1,5 @@
-/* How long a frame of 20 000 spheres at 1280 x 720 takes, PNG on disk included. Prints a table; the best
- * of several rounds counts, because other programs on the machine only ever make it slower.
+/* How long a frame of 20 000 spheres at 1280 x 720 takes, PNG on disk included. Prints a table; the
+ * best of several rounds counts, because other programs on the machine only ever make it slower.
  *
  *     render_bench [frames per round = 20] [rounds = 3] [folder = a temporary one]
  */
@@ -112,8 +112,8 @@ static bool set_up(bench *b, const render_canvas_def *def, render_projection pro
 
 static void print_row(const char *preset, const char *view, const char *backend, const result *r) {
     printf("| %s | %s | %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | **%.1f** |\n", preset,
-           view, backend, r->drawn, 1e3 * r->prepare, 1e3 * r->draw, 1e3 * r->read, 1e3 * r->resolve,
-           1e3 * r->label, 1e3 * r->png, 1 / r->frame);
+           view, backend, r->drawn, 1e3 * r->prepare, 1e3 * r->draw, 1e3 * r->read,
+           1e3 * r->resolve, 1e3 * r->label, 1e3 * r->png, 1 / r->frame);
     fflush(stdout);
 }
 

@@ -1,5 +1,6 @@
 /* The same bytes from both backends, on every run and for any number of threads. Called with the
- * argument "hash" it prints a hash of one picture, for the test that runs it with other settings. */
+ * argument "hash" it prints a hash of one picture, for the test that runs it with other settings.
+ */
 #include "tests/render/check.h"
 
 #include <inttypes.h>

@@ -1,5 +1,5 @@
-/* What reaches the disk: PNG files with metadata, the background encoder, animations, and every way in
- * which writing can fail. */
+/* What reaches the disk: PNG files with metadata, the background encoder, animations, and every way
+ * in which writing can fail. */
 #include "tests/render/check.h"
 
 #include <png.h>
@@ -95,9 +95,8 @@ static void metadata_round_trip(void **state) {
     (void)state;
     render_image image = {0};
     char text[128];
-    static const render_tag TAGS[] = {{"Title", "Discharge, 10 cm"},
-                                      {"Scene", "hash: 0x1234"},
-                                      {"Comment", "d = 10 \xc2\xb5m"}};
+    static const render_tag TAGS[] = {
+        {"Title", "Discharge, 10 cm"}, {"Scene", "hash: 0x1234"}, {"Comment", "d = 10 \xc2\xb5m"}};
     paint(&image, 8, 8, 1);
     check_ok(render_png_write(in_folder("tags.png"), &image, TAGS, 3));
     for (int i = 0; i < 3; i++) {
@@ -176,8 +175,8 @@ static void encoder_labels_like_the_caller_would(void **state) {
     render_encoder *encoder = NULL;
     render_font *font = NULL;
     render_image image = {0};
-    render_overlay overlay = {.title = "Labelled", .time_shown = true, .time_s = 1.5,
-                              .time_decimals = 1};
+    render_overlay overlay = {
+        .title = "Labelled", .time_shown = true, .time_s = 1.5, .time_decimals = 1};
     paint(&image, 300, 200, 3);
     check_ok(render_font_open(NULL, &font));
     check_ok(render_encoder_new(&def, &encoder));
@@ -261,42 +260,6 @@ static void movie_without_ffmpeg_says_so(void **state) {
     check_refused(status, RENDER_ERR_UNAVAILABLE, "ffmpeg");
 }
 
-static void bad_scenes_are_refused(void **state) {
-    (void)state;
-    double x[3] = {0, 1, 2}, y[3] = {0, 0, 0}, z[3] = {0, 0, 0}, r[3] = {1, 1, 1};
-    int32_t body[3] = {0, 1, -1};
-    uint32_t index[3] = {0, 1, 3};
-    render_walls wall = {3, x, 1, 3, index, {0, 0, 0}, 0.5, 0, {0, 0, 0}};
-    render_scene scene = {.spheres = {3, x, y, z, r, NULL, NULL}};
-    render_camera camera = check_front_camera(4);
-    render_image image = {0};
-    render_canvas *canvas = check_canvas(RENDER_DRAFT, 32, 32, "auto", 0, true);
-    y[1] = 0.0 / (x[0] * 0 + z[0]); /* not a number */
-    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
-                  "y of sphere 1");
-    y[1] = 0;
-    r[2] = 0;
-    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
-                  "radius of sphere 2");
-    r[2] = 1;
-    scene.spheres.body = body;
-    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
-                  "body of sphere 2");
-    scene = (render_scene){.walls_count = 1, .walls = &wall};
-    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
-                  "names vertex 3");
-    scene = (render_scene){0};
-    camera.height_m = 0;
-    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
-                  "height");
-    render_canvas_free(canvas);
-    render_image_free(&image);
-    render_canvas_def def = render_canvas_default(RENDER_DRAFT);
-    def.height = 0;
-    check_refused(render_canvas_new(&def, &canvas), RENDER_ERR_ARGUMENT, "1280 x 0");
-    check_refused(render_image_resize(&image, 10, -1), RENDER_ERR_ARGUMENT, "10 x -1");
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(png_round_trip),
@@ -307,7 +270,6 @@ int main(void) {
         cmocka_unit_test(encoder_reports_its_failures),
         cmocka_unit_test(movie_is_made_or_declined),
         cmocka_unit_test(movie_without_ffmpeg_says_so),
-        cmocka_unit_test(bad_scenes_are_refused),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

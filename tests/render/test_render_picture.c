@@ -1,8 +1,8 @@
-/* Pictures against geometry: silhouettes, depth order, outlines, the cull, walls and lines. */
+/* Pictures against geometry: silhouettes, depth order, outlines, the cull, walls and lines; and
+ * scenes that are refused. */
 #include "tests/render/check.h"
 
 #include <math.h>
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -46,10 +46,8 @@ static void perspective_silhouette_is_an_ellipse(void **state) {
     (void)state;
     double place[4] = {0.31, -0.17, 1.2, 0.21};
     render_scene scene = one_sphere(place);
-    render_camera camera = {.projection = RENDER_PERSPECTIVE,
-                            .target = {0, 0, 1},
-                            .up = {0, -1, 0},
-                            .angle_deg = 50};
+    render_camera camera = {
+        .projection = RENDER_PERSPECTIVE, .target = {0, 0, 1}, .up = {0, -1, 0}, .angle_deg = 50};
     render_image image = {0};
     check_draw(RENDER_DRAFT, 0, true, &scene, &camera, 640, 480, &image);
     double focal = 240 / tan(25 * PI / 180), r = place[3];
@@ -113,7 +111,8 @@ static void cull_leaves_the_bytes_identical(void **state) {
         view.direction[0] = 0.1 * (double)seed;
         render_camera camera;
         check_ok(render_camera_fit_scene(&camera, &view, &scene, 320, 240));
-        if (seed % 4 == 1) camera.eye[1] += 0.6; /* into the heap: some behind, some around the eye */
+        if (seed % 4 == 1)
+            camera.eye[1] += 0.6; /* into the heap: some behind, some around the eye */
         render_canvas *with =
             check_canvas(seed % 3 ? RENDER_DRAFT : RENDER_FINAL, 320, 240, "auto", 0.8, true);
         check_ok(render_canvas_draw(with, &scene, &camera, &culled));
@@ -213,6 +212,43 @@ static void empty_scene_is_the_background(void **state) {
     render_image_free(&image);
 }
 
+static void bad_scenes_are_refused(void **state) {
+    (void)state;
+    double x[3] = {0, 1, 2}, y[3] = {0, 0, 0}, z[3] = {0, 0, 0}, r[3] = {1, 1, 1};
+    int32_t body[3] = {0, 1, -1};
+    uint32_t index[3] = {0, 1, 3};
+    double vertex[9] = {0};
+    render_walls wall = {3, vertex, 1, 3, index, {0, 0, 0}, 0.5, 0, {0, 0, 0}};
+    render_scene scene = {.spheres = {3, x, y, z, r, NULL, NULL}};
+    render_camera camera = check_front_camera(4);
+    render_image image = {0};
+    render_canvas *canvas = check_canvas(RENDER_DRAFT, 32, 32, "auto", 0, true);
+    y[1] = NAN;
+    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
+                  "y of sphere 1");
+    y[1] = 0;
+    r[2] = 0;
+    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
+                  "radius of sphere 2");
+    r[2] = 1;
+    scene.spheres.body = body;
+    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
+                  "body of sphere 2");
+    scene = (render_scene){.walls_count = 1, .walls = &wall};
+    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
+                  "names vertex 3");
+    scene = (render_scene){0};
+    camera.height_m = 0;
+    check_refused(render_canvas_draw(canvas, &scene, &camera, &image), RENDER_ERR_ARGUMENT,
+                  "height");
+    render_canvas_free(canvas);
+    render_image_free(&image);
+    render_canvas_def def = render_canvas_default(RENDER_DRAFT);
+    def.height = 0;
+    check_refused(render_canvas_new(&def, &canvas), RENDER_ERR_ARGUMENT, "1280 x 0");
+    check_refused(render_image_resize(&image, 10, -1), RENDER_ERR_ARGUMENT, "10 x -1");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orthographic_silhouette_is_a_circle),
@@ -223,6 +259,7 @@ int main(void) {
         cmocka_unit_test(wall_tints_and_opaque_wall_hides),
         cmocka_unit_test(line_has_its_width_and_its_place),
         cmocka_unit_test(empty_scene_is_the_background),
+        cmocka_unit_test(bad_scenes_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,8 @@ static void maps_start_at_a_tenth_and_get_lighter(void **state) {
     check_rgb(render_map_at(RENDER_VIRIDIS, NAN), 128, 128, 128, 0);
     for (int map = RENDER_VIRIDIS; map <= RENDER_CIVIDIS; map++) {
         double before = 0;
-        for (int i = 0; i <= 100; i++) { /* lightness rises all the way, so grey prints can be read */
+        for (int i = 0; i <= 100;
+             i++) { /* lightness rises all the way, so grey prints can be read */
             render_rgb c = render_map_at((render_map)map, i / 100.0);
             double luma = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
             assert_true(luma > before - 0.5);
@@ -115,12 +116,14 @@ static void bad_cameras_are_refused(void **state) {
     double low[3] = {0, 0, 0}, high[3] = {1, 1, 1};
     render_view view = render_view_default();
     render_camera camera;
-    check_refused(render_camera_fit(&camera, &view, low, high, 0, 10), RENDER_ERR_ARGUMENT, "0 x 10");
+    check_refused(render_camera_fit(&camera, &view, low, high, 0, 10), RENDER_ERR_ARGUMENT,
+                  "0 x 10");
     check_refused(render_camera_fit(&camera, &view, low, high, 40, 40), RENDER_ERR_ARGUMENT,
                   "margins");
     view.up[2] = 0;
     view.up[1] = 2;
-    check_refused(render_camera_fit(&camera, &view, low, high, 100, 100), RENDER_ERR_ARGUMENT, "up");
+    check_refused(render_camera_fit(&camera, &view, low, high, 100, 100), RENDER_ERR_ARGUMENT,
+                  "up");
     view = render_view_default();
     high[1] = NAN;
     check_refused(render_camera_fit(&camera, &view, low, high, 100, 100), RENDER_ERR_ARGUMENT,
@@ -177,7 +180,8 @@ static void bad_overlays_are_refused(void **state) {
     check_refused(render_overlay_draw(font, &o, &image), RENDER_ERR_ARGUMENT, "colour bar");
     o = (render_overlay){.time_shown = true, .time_s = NAN};
     check_refused(render_overlay_draw(font, &o, &image), RENDER_ERR_ARGUMENT, "nan");
-    o = (render_overlay){.title = "\xff\xc3 broken UTF-8 \xe2\x88"}; /* drawn somehow, never a crash */
+    o = (render_overlay){.title =
+                             "\xff\xc3 broken UTF-8 \xe2\x88"}; /* drawn somehow, never a crash */
     check_ok(render_overlay_draw(font, &o, &image));
     render_image_free(&image);
     render_font_close(font);
