@@ -13,7 +13,8 @@ static const char HELP[] =
     "usage: clast check SCENE [--set NAME=VALUE]...\n"
     "       clast check --keys\n"
     "\n"
-    "Reads the scene, places its bodies and checks them against each other. Prints all faults, each\n"
+    "Reads the scene, places its bodies and checks them against each other. Prints all faults, "
+    "each\n"
     "with its line, or a summary of what the scene holds.\n"
     "\n"
     "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
@@ -34,9 +35,10 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--set", OPTION_LIST, &a->set, NULL},
         {"--keys", OPTION_FLAG, &a->keys, NULL},
     };
-    int found = options_read("check", argc, argv, options, sizeof options / sizeof *options,
-                             &a->path, 1);
-    if (found == 0 && !a->keys) fprintf(stderr, "clast check: which scene? See clast check --help\n");
+    int found =
+        options_read("check", argc, argv, options, sizeof options / sizeof *options, &a->path, 1);
+    if (found == 0 && !a->keys)
+        fprintf(stderr, "clast check: which scene? See clast check --help\n");
     return found == 1 || (found == 0 && a->keys);
 }
 
@@ -46,10 +48,11 @@ static void print_shapes(const scene *s) {
         clast_shape_def shape = clast_world_shape(s->world, i);
         size_t count = 0;
         for (size_t k = 0; k < b.count; k++) count += b.shape[k] == i;
-        printf("  %s: %zu bodies, %d sphere%s of %s, mass %.4g g, inertia [%.4g, %.4g, %.4g] kg m2\n",
-               shape.name, count, shape.spheres, shape.spheres == 1 ? "" : "s",
-               s->materials[shape.material].name, 1e3 * shape.mass, shape.inertia.x,
-               shape.inertia.y, shape.inertia.z);
+        printf(
+            "  %s: %zu bodies, %d sphere%s of %s, mass %.4g g, inertia [%.4g, %.4g, %.4g] kg m2\n",
+            shape.name, count, shape.spheres, shape.spheres == 1 ? "" : "s",
+            s->materials[shape.material].name, 1e3 * shape.mass, shape.inertia.x, shape.inertia.y,
+            shape.inertia.z);
     }
 }
 

@@ -1,5 +1,6 @@
-/* cmd_plan.c - what a run would do and cost: kernel, step and its limits, time, and what fewer spheres or
- * a larger step would save. Every saving named here was measured or follows from the plan. */
+/* cmd_plan.c - what a run would do and cost: kernel, step and its limits, time, and what fewer
+ * spheres or a larger step would save. Every saving named here was measured or follows from the
+ * plan. */
 #include "experiments/clast/commands.h"
 #include "experiments/clast/options.h"
 #include "experiments/scene/scene.h"
@@ -13,8 +14,10 @@
 static const char HELP[] =
     "usage: clast plan SCENE [--set NAME=VALUE]... [--threads N] [--steps N]\n"
     "\n"
-    "Says which kernel the engine picked, the time step with each of its limits, how many steps and\n"
-    "how long a run takes, and what could be dropped at what saving. Times N steps (default 200) of\n"
+    "Says which kernel the engine picked, the time step with each of its limits, how many steps "
+    "and\n"
+    "how long a run takes, and what could be dropped at what saving. Times N steps (default 200) "
+    "of\n"
     "the scene as it starts, after as many to warm up; nothing is written.\n"
     "\n"
     "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
@@ -22,7 +25,8 @@ static const char HELP[] =
     "  --steps N          how many steps to time\n"
     "\n"
     "example: clast plan experiments/button-hopper/discharge.yaml --set orifice=5cm --threads 2\n"
-    "exit code: 0, 1 a guard tripped while timing, 2 usage, 3 faults in the scene, 4 no such file\n";
+    "exit code: 0, 1 a guard tripped while timing, 2 usage, 3 faults in the scene, 4 no such "
+    "file\n";
 
 typedef struct arguments {
     const char *path;
@@ -38,8 +42,8 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--threads", OPTION_COUNT, &a->options.threads, NULL},
         {"--steps", OPTION_COUNT, &a->steps, NULL},
     };
-    int found = options_read("plan", argc, argv, options, sizeof options / sizeof *options, &a->path,
-                             1);
+    int found =
+        options_read("plan", argc, argv, options, sizeof options / sizeof *options, &a->path, 1);
     if (found == 0) fprintf(stderr, "clast plan: which scene? See clast plan --help\n");
     a->options.set = a->set.items;
     a->options.set_count = a->set.count;
@@ -54,8 +58,8 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Seconds a step: the fastest of five parts, for other work on the machine only ever adds. Negative when a
- * guard stopped the run. */
+/* Seconds a step: the fastest of five parts, for other work on the machine only ever adds. Negative
+ * when a guard stopped the run. */
 static double time_steps(clast_world *w, int steps) {
     double best = INFINITY;
     for (int i = 0; i < steps; i++)
@@ -91,13 +95,14 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
     double rayleigh = def->rayleigh_fraction * p->rayleigh_step;
     double contact = p->contact_time / def->contact_resolution;
     bool by_contact = def->law == CLAST_LAW_LINEAR || contact <= rayleigh;
-    printf("step: %.6g s, %s\n", p->time_step, given ? "as the scene says" : "the smaller of two limits");
+    printf("step: %.6g s, %s\n", p->time_step,
+           given ? "as the scene says" : "the smaller of two limits");
     snprintf(text, sizeof text, "%g of the Rayleigh step, %.4g s", def->rayleigh_fraction,
              p->rayleigh_step);
     if (def->law != CLAST_LAW_LINEAR)
         print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
-    snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps", p->contact_time,
-             p->impact_speed, def->contact_resolution);
+    snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps",
+             p->contact_time, p->impact_speed, def->contact_resolution);
     print_limit("contact resolution", contact, text, !given && by_contact);
     snprintf(text, sizeof text, "2/omega, where a contact becomes unstable; the step is %.2g of it",
              p->time_step / p->critical_step);
@@ -110,19 +115,21 @@ static void print_cost(const scene *s, double each, int steps) {
     size_t spheres = clast_world_spheres(s->world).count;
     clast_counters c = clast_world_counters(s->world);
     printf("steps: %.0f to %g s\n", count, s->ending.latest);
-    printf("cost: %.4g us a step (%.3g million sphere-steps/s), measured over %d steps from the start\n",
+    printf("cost: %.4g us a step (%.3g million sphere-steps/s), measured over %d steps from the "
+           "start\n",
            1e6 * each, (double)spheres / each / 1e6, steps);
-    printf("  %zu bodies, %zu spheres, %zu pairs listed, %zu contacts now, %.3g MB\n", c.bodies, spheres,
-           c.pairs, c.contacts, (double)c.bytes / 1e6);
+    printf("  %zu bodies, %zu spheres, %zu pairs listed, %zu contacts now, %.3g MB\n", c.bodies,
+           spheres, c.pairs, c.contacts, (double)c.bytes / 1e6);
     printf("  the whole run: ");
     print_duration(count * each);
     printf(" if it stays as crowded as it starts; frames and pictures come on top\n");
     if (c.contacts < c.bodies)
-        printf("  (most bodies are in flight as yet: a settled bed costs more; plan from a settled one with "
+        printf("  (most bodies are in flight as yet: a settled bed costs more; plan from a settled "
+               "one with "
                "bodies: from)\n");
 }
 
-/* ---- what could be dropped --------------------------------------------------------------------- */
+/* ---- what could be dropped ------------------------------------------------------------------ */
 
 /* Rayleigh's limit often leaves contacts resolved far better than asked. */
 static int suggest_step(const clast_plan *p, const clast_world_def *def) {
@@ -131,15 +138,16 @@ static int suggest_step(const clast_plan *p, const clast_world_def *def) {
     double step = longest < critical ? longest : critical;
     if (def->law != CLAST_LAW_LINEAR && step > cap) step = cap;
     if (step < 1.1 * p->time_step) return 0;
-    printf("  steps: contacts are resolved by %.0f, %g are asked; a step of %.3g s still does that and "
-           "saves %.0f %%\n", p->resolution, def->contact_resolution, step,
-           100 * (1 - p->time_step / step));
+    printf("  steps: contacts are resolved by %.0f, %g are asked; a step of %.3g s still does that "
+           "and "
+           "saves %.0f %%\n",
+           p->resolution, def->contact_resolution, step, 100 * (1 - p->time_step / step));
     if (def->law != CLAST_LAW_LINEAR) printf("    (%.2g of the Rayleigh step)\n", step / cap);
     return 1;
 }
 
-/* Largest distance from the profile inwards to the nearest sphere, along the ray from its centre: what a
- * fit of an ellipse leaves out. Spheres touch the profile, so it is never negative. */
+/* Largest distance from the profile inwards to the nearest sphere, along the ray from its centre:
+ * what a fit of an ellipse leaves out. Spheres touch the profile, so it is never negative. */
 static double profile_gap(const clast_shape_def *shape) {
     double worst = 0;
     for (int i = 0; i < shape->outline_points; i++) {
@@ -154,7 +162,7 @@ static double profile_gap(const clast_shape_def *shape) {
     return worst;
 }
 
-/* The shape that was fitted, by what the fit changes: it has an outline and more than one sphere. */
+/* The shape that was fitted: it has an outline and many spheres. */
 static int fitted_shape(const clast_world *w) {
     for (int i = 0; i < clast_world_shape_count(w); i++) {
         clast_shape_def shape = clast_world_shape(w, i);
@@ -177,9 +185,11 @@ static int suggest_fewer_spheres(const arguments *a, const scene *s, double each
         clast_shape_def after = clast_world_shape(other->world, fitted);
         double cost = after.spheres == spheres ? time_steps(other->world, a->steps) : -1;
         if (cost > 0) {
-            printf("  %s: %d spheres in place of %d %s %.0f %% of the time (measured); the largest gap "
-                   "to the\n    profile grows from %.3g to %.3g mm\n", after.name, spheres,
-                   before.spheres, cost < 0.95 * each ? "save" : "save hardly anything:",
+            printf("  %s: %d spheres in place of %d %s %.0f %% of the time (measured); the largest "
+                   "gap "
+                   "to the\n    profile grows from %.3g to %.3g mm\n",
+                   after.name, spheres, before.spheres,
+                   cost < 0.95 * each ? "save" : "save hardly anything:",
                    100 * fmax(0, 1 - cost / each), 1e3 * profile_gap(&before),
                    1e3 * profile_gap(&after));
             suggested++;
@@ -190,8 +200,9 @@ static int suggest_fewer_spheres(const arguments *a, const scene *s, double each
     return suggested;
 }
 
-/* Bodies that start in one layer across an axis and are not pushed along it stay there only if every wall
- * they meet is across the layer too; that is for the user to judge, so it is put with an if. */
+/* Bodies that start in one layer across an axis and are not pushed along it stay there only if
+ * every wall they meet is across the layer too; that is for the user to judge, so it is put with an
+ * if. */
 static int find_layer(const scene *s) {
     const clast_world_def *def = clast_world_definition(s->world);
     clast_bodies b = clast_world_bodies(s->world);
@@ -209,7 +220,8 @@ static int find_layer(const scene *s) {
 
 static int suggest_plane(int axis) {
     if (axis < 0) return 0;
-    printf("  the third dimension: all bodies start in one plane across %c and nothing moves them along "
+    printf("  the third dimension: all bodies start in one plane across %c and nothing moves them "
+           "along "
            "it;\n    motion: in-plane %c would say so, if no wall is oblique to it\n",
            "xyz"[axis], "xyz"[axis]);
     return 1;

@@ -1,7 +1,7 @@
 /* arena.h - memory that lives exactly as long as one reading of a scene file.
  *
- * A scene is read into some thousand small texts and nodes which all die together, so they are freed
- * together; a ladder of free() per fault path was rejected.
+ * A scene is read into some thousand small texts and nodes which all die together, so they are
+ * freed together; a ladder of free() per fault path was rejected.
  */
 #ifndef CLAST_SCENE_ARENA_H
 #define CLAST_SCENE_ARENA_H
@@ -21,7 +21,8 @@ typedef struct scene_arena {
 /* Zeroed memory, aligned for any type; stops the program when there is none. */
 void *scene_alloc(scene_arena *arena, size_t bytes);
 char *scene_copy(scene_arena *arena, const char *text, size_t length);
-char *scene_print(scene_arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
+char *scene_print(scene_arena *arena, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 char *scene_vprint(scene_arena *arena, const char *format, va_list arguments);
 void scene_arena_free(scene_arena *arena);
 

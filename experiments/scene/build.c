@@ -1,4 +1,5 @@
-/* build.c - a draft becomes a world. What the engine refuses is reported at the line that asked for it. */
+/* build.c - a draft becomes a world. What the engine refuses is reported at the line that asked for
+ * it. */
 #include "experiments/scene/build.h"
 
 #include <math.h>
@@ -142,7 +143,8 @@ static void inherit(scene_reader *r, clast_world *w, crowd *c, const body_item *
     }
     clast_bodies b = clast_world_bodies(w);
     for (size_t i = 0; i < b.count; i++)
-        crowd_add(c, &(clast_body_def){.shape = b.shape[i], .position = {b.x[i], b.y[i], b.z[i]}}, 0);
+        crowd_add(c, &(clast_body_def){.shape = b.shape[i], .position = {b.x[i], b.y[i], b.z[i]}},
+                  0);
     c->inherited = c->count;
 }
 
@@ -151,14 +153,14 @@ static void place(scene_reader *r, clast_world *w, crowd *c, const scene_draft *
     const tree_node *node = body->item.node;
     int source = node->index;
     if (tree_get(node, "shape"))
-        crowd_add(c,
-                  &(clast_body_def){.shape = body->shape,
-                                    .position = body->position,
-                                    .orientation = scene_turn(&body->turn,
-                                                              tree_get(node, "orientation")),
-                                    .velocity = body->velocity,
-                                    .spin = body->spin},
-                  source);
+        crowd_add(
+            c,
+            &(clast_body_def){.shape = body->shape,
+                              .position = body->position,
+                              .orientation = scene_turn(&body->turn, tree_get(node, "orientation")),
+                              .velocity = body->velocity,
+                              .spin = body->spin},
+            source);
     else if (tree_get(node, "grid"))
         scene_place_grid(r, c, tree_get(node, "grid"), &body->grid, source);
     else if (tree_get(node, "hexagonal"))
@@ -217,12 +219,15 @@ static void check_step(scene_reader *r, const scene_draft *d, const clast_world 
     if (!step || d->def.time_step == 0) return;
     const char *path = tree_path(r->arena, step, NULL);
     const char *means = scene_print(
-        r->arena, "found %.3g s: %.3g steps in the shortest contact (of %.3g s at %.3g m/s), "
-        "%.3g of the Rayleigh step", p.time_step, p.resolution, p.contact_time, p.impact_speed,
-        p.time_step / p.rayleigh_step);
+        r->arena,
+        "found %.3g s: %.3g steps in the shortest contact (of %.3g s at %.3g m/s), "
+        "%.3g of the Rayleigh step",
+        p.time_step, p.resolution, p.contact_time, p.impact_speed, p.time_step / p.rayleigh_step);
     if (p.time_step > p.critical_step && d->def.guards == CLAST_GUARD_STOP)
-        scene_report(r->faults, step->line, path, "%s, expected at most the critical step %.3g s "
-                     "(guards.mode: report runs it all the same)", means, p.critical_step);
+        scene_report(r->faults, step->line, path,
+                     "%s, expected at most the critical step %.3g s "
+                     "(guards.mode: report runs it all the same)",
+                     means, p.critical_step);
     else if (p.time_step > p.critical_step)
         scene_warn(r->faults, step->line, path, "%s, above the critical step %.3g s", means,
                    p.critical_step);

@@ -1,4 +1,4 @@
-/* build.h - from a draft without faults to a world: the stages behind scene_load(), in their order. */
+/* build.h - from a draft without faults to a world: the stages behind scene_load(). */
 #ifndef CLAST_SCENE_BUILD_H
 #define CLAST_SCENE_BUILD_H
 
@@ -33,7 +33,8 @@ void crowd_add(crowd *c, const clast_body_def *body, int source);
 void crowd_free(crowd *c);
 
 /* place.c: one generator of an entry of `bodies:`. */
-void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const generator *g, int source);
+void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const generator *g,
+                      int source);
 void scene_place_hexagonal(scene_reader *r, crowd *c, const tree_node *node, const generator *g,
                            int source);
 void scene_place_random(scene_reader *r, crowd *c, const tree_node *node, const generator *g,

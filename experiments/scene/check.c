@@ -1,5 +1,5 @@
-/* check.c - faults that no single key shows: pairs left out, a plate whose side is not at right angles,
- * spheres that overlap and have no mass. */
+/* check.c - faults that no single key shows: pairs left out, a plate whose side is not at right
+ * angles, spheres that overlap and have no mass. */
 #include "experiments/scene/build.h"
 
 #include <math.h>
@@ -53,13 +53,15 @@ static void check_pair(scene_reader *r, const scene_draft *d, const pair_item *p
     const pair_item *first = d->pairs.items;
     for (; first != pair; first++)
         if (is_pair(first, pair->between[0], pair->between[1]) && pair->between[0] >= 0)
-            FAULT(pair->item.node, "between", "found %s and %s twice, expected once (also in line %d)",
+            FAULT(pair->item.node, "between",
+                  "found %s and %s twice, expected once (also in line %d)",
                   material_name(d, pair->between[0]), material_name(d, pair->between[1]),
                   first->item.node->line);
     bool linear = d->def.law == CLAST_LAW_LINEAR;
     const tree_node *stiffness = tree_get(pair->item.node, "stiffness");
     if (linear && !stiffness)
-        FAULT(pair->item.node, "stiffness", "missing, expected a stiffness in N/m, > 0, for law linear");
+        FAULT(pair->item.node, "stiffness",
+              "missing, expected a stiffness in N/m, > 0, for law linear");
     static const char *const LINEAR_ONLY[] = {"stiffness", "tangential_ratio"};
     for (int i = 0; i < 2; i++) {
         const tree_node *node = tree_get(pair->item.node, LINEAR_ONLY[i]);
@@ -76,8 +78,8 @@ static void need_pair(scene_reader *r, const scene_draft *d, int a, int b) {
     }
     const tree_node *pairs = tree_get(r->root, "pairs");
     if (!pairs) return;
-    FAULT(pairs, NULL, "missing between %s and %s, which can touch", material_name(d, a < b ? a : b),
-          material_name(d, a < b ? b : a));
+    FAULT(pairs, NULL, "missing between %s and %s, which can touch",
+          material_name(d, a < b ? a : b), material_name(d, a < b ? b : a));
 }
 
 static void check_pairs(scene_reader *r, const scene_draft *d) {
@@ -123,8 +125,10 @@ static void check_mass(scene_reader *r, const shape_item *shape) {
     if (overlaps && shape->inertia.x == 0)
         FAULT(node, "inertia", "found none, expected [x, y, z] in kg m2, > 0: the spheres overlap");
     if (!overlaps && shape->mass == 0 && length(centre) > 1e-6 * set.reach)
-        FAULT(node, NULL, "centre of mass of the spheres found at [%.6g, %.6g, %.6g] m, "
-              "expected at the origin", centre.x, centre.y, centre.z);
+        FAULT(node, NULL,
+              "centre of mass of the spheres found at [%.6g, %.6g, %.6g] m, "
+              "expected at the origin",
+              centre.x, centre.y, centre.z);
 }
 
 /* No solid has one principal moment above the sum of the other two. */
@@ -218,7 +222,8 @@ static void check_generator(scene_reader *r, const scene_draft *d, const tree_no
         !(min.x <= max.x && min.y <= max.y && min.z <= max.z))
         FAULT(region, "max", "found a corner below min");
     if (g->orientation == ORIENT_RANDOM_IN_PLANE && d->motion == 0)
-        FAULT(node, "orientation", "found 'random-in-plane', expected fixed or random: "
+        FAULT(node, "orientation",
+              "found 'random-in-plane', expected fixed or random: "
               "the motion is 3d");
     if (g->orientation != ORIENT_FIXED && was_given(r, node, "turn"))
         FAULT(node, "turn", "found beside a random orientation, expected orientation fixed");
@@ -249,7 +254,8 @@ static void check_bodies(scene_reader *r, const scene_draft *d) {
         check_generator(r, d, tree_get(node, "hexagonal"), &body->hexagonal);
         check_generator(r, d, tree_get(node, "random"), &body->random);
         if (was_given(r, node, "from") && node->index > 0)
-            FAULT(node, "from", "found behind other bodies, expected first: ids and contacts are "
+            FAULT(node, "from",
+                  "found behind other bodies, expected first: ids and contacts are "
                   "taken over from the earlier run");
     }
 }
@@ -266,7 +272,8 @@ static void check_measures(scene_reader *r, const scene_draft *d) {
         check_span(r, tree_get(m->item.node, "solid_fraction"), m->bed_x);
         check_span(r, tree_get(m->item.node, "band_velocity"), m->band_x);
         if (strpbrk(m->item.name, ",\"\n "))
-            FAULT(m->item.node, NULL, "found a name with a space, comma or quote, expected one "
+            FAULT(m->item.node, NULL,
+                  "found a name with a space, comma or quote, expected one "
                   "that can head a column");
     }
 }

@@ -1,5 +1,5 @@
-/* draft.h - a scene between the YAML tree and the world: plain structs, every value in SI, every name
- * replaced by an index. The tables of schema.c say which key goes into which field.
+/* draft.h - a scene between the YAML tree and the world: plain structs, every value in SI, every
+ * name replaced by an index. The tables of schema.c say which key goes into which field.
  */
 #ifndef CLAST_SCENE_DRAFT_H
 #define CLAST_SCENE_DRAFT_H
@@ -67,8 +67,8 @@ typedef struct wall_item {
 
 typedef enum orientation_rule {
     ORIENT_FIXED,
-    ORIENT_RANDOM,          /* uniform on the rotation group */
-    ORIENT_RANDOM_IN_PLANE  /* about the normal of the plane of motion */
+    ORIENT_RANDOM,         /* uniform on the rotation group */
+    ORIENT_RANDOM_IN_PLANE /* about the normal of the plane of motion */
 } orientation_rule;
 
 typedef struct rotation {

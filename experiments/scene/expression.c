@@ -12,7 +12,7 @@
 enum {
     LENGTH_MAX = 1000, /* bytes of one value */
     NUMBER_MAX = 100,  /* characters of one number */
-    WORD_MAX = 40,    /* of a unit, parameter or function */
+    WORD_MAX = 40,     /* of a unit, parameter or function */
     DEPTH_MAX = 50,    /* of brackets and signs: the parser must not run out of stack */
     POWER_MAX = 9
 };
@@ -67,7 +67,8 @@ static bool take(parser *p, char c) {
 /* Reads letters, and digits and _ too where `name` is set. */
 static const char *read_word(const char *at, bool name, char word[WORD_MAX + 1]) {
     int length = 0;
-    if (*at == '%' && !name) word[length++] = *at++;
+    if (*at == '%' && !name)
+        word[length++] = *at++;
     else
         while (is_letter(*at) || (name && (is_digit(*at) || *at == '_'))) {
             if (length < WORD_MAX) word[length++] = *at;
@@ -81,7 +82,7 @@ static const char *read_word(const char *at, bool name, char word[WORD_MAX + 1])
 
 typedef struct chain {
     unit_dimension dimension;
-    int decimal;      /* power of ten */
+    int decimal;        /* power of ten */
     double over, under; /* product of the factors that are not decimal, above and below the line */
     int count;
     bool divided; /* a / has been read outside brackets */
@@ -191,7 +192,8 @@ static bool continue_chain(parser *p, chain *c) {
 
 static chain read_units(parser *p) {
     chain c = {.over = 1, .under = 1};
-    while (!p->failed && continue_chain(p, &c)) {}
+    while (!p->failed && continue_chain(p, &c)) {
+    }
     return c;
 }
 
@@ -364,8 +366,9 @@ static unit_value read_atom(parser *p, bool *has_units) {
     if (c == '\0')
         complain(p, "no number where one should be");
     else
-        complain(p, c > ' ' && c < 127 ? "'%c' where a number should be"
-                                       : "byte %d where a number should be",
+        complain(p,
+                 c > ' ' && c < 127 ? "'%c' where a number should be"
+                                    : "byte %d where a number should be",
                  c > ' ' && c < 127 ? c : (unsigned char)c);
     return NOTHING;
 }
@@ -456,8 +459,8 @@ static unit_value read_sum(parser *p) {
 /* What people copy from papers, in the letters that the parser knows. */
 static const struct {
     const char *from, *to;
-} SIGNS[] = {{"\u00b5", "u"}, {"\u03bc", "u"}, {"\u00b2", "^2"}, {"\u00b3", "^3"},
-             {"\u00b7", " "}, {"\u00b0", " deg"}, {"\u00d7", "*"}, {"\u2212", "-"}};
+} SIGNS[] = {{"\u00b5", "u"}, {"\u03bc", "u"},    {"\u00b2", "^2"}, {"\u00b3", "^3"},
+             {"\u00b7", " "}, {"\u00b0", " deg"}, {"\u00d7", "*"},  {"\u2212", "-"}};
 
 static bool simplify(const char *text, char plain[LENGTH_MAX + 8]) {
     size_t length = 0;
@@ -487,8 +490,7 @@ bool unit_parse(const char *text, const unit_scope *scope, unit_value *value, ch
     parser p = {.at = plain, .scope = scope, .why = why};
     *value = read_sum(&p);
     p.at = skip_spaces(p.at);
-    if (!p.failed && *p.at)
-        complain(&p, "'%.30s' where the value should have ended", p.at);
+    if (!p.failed && *p.at) complain(&p, "'%.30s' where the value should have ended", p.at);
     if (!p.failed && !isfinite(value->value)) complain(&p, "the value is not finite");
     return !p.failed;
 }

@@ -30,7 +30,7 @@ static void add(scene_faults *faults, scene_fault fault) {
     if (!fault.warning) faults->errors++;
 }
 
-#define ADD(where, is_warning, is_foreign)                                                                     \
+#define ADD(where, is_warning, is_foreign)                                                         \
     va_list arguments;                                                                             \
     va_start(arguments, format);                                                                   \
     const char *text = scene_vprint(faults->arena, format, arguments);                             \

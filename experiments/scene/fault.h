@@ -40,8 +40,8 @@ char *scene_faults_text(const scene_faults *faults);
 /* The candidate most like `word`, or NULL when none is close enough to be what was meant. */
 const char *scene_suggest(const char *word, const char *const *candidates, int count);
 
-/* Typing errors between two words: insert, delete, replace, swap of neighbours; the case of a letter
- * counts too. Stops counting at `limit`. */
+/* Typing errors between two words: insert, delete, replace, swap of neighbours; the case of a
+ * letter counts too. Stops counting at `limit`. */
 int scene_distance(const char *a, const char *b, int limit);
 
 #endif

@@ -87,7 +87,8 @@ scene_parameters scene_parameters_read(scene_arena *arena, scene_faults *faults,
     const tree_node *map = tree_get(root, "parameters");
     if (tree_is_empty(map)) return parameters;
     if (map->kind != TREE_MAP) {
-        scene_report(faults, map->line, "parameters", "found no map, expected 'name: value' entries");
+        scene_report(faults, map->line, "parameters",
+                     "found no map, expected 'name: value' entries");
         return parameters;
     }
     parameters.items = scene_alloc(arena, (size_t)map->children * sizeof *parameters.items);
@@ -106,7 +107,7 @@ scene_parameters scene_parameters_read(scene_arena *arena, scene_faults *faults,
     return parameters;
 }
 
-/* The parameter whose name starts at text; *end is behind it. NULL with *end == text when no name. */
+/* The parameter whose name starts at text, *end behind it; *end == text when there is no name. */
 static parameter *parameter_at(scene_parameters *parameters, const char *text, const char **end,
                                const char **name) {
     bool braces = *text == '{';
@@ -172,7 +173,8 @@ typedef struct edit {
     const char *value;
 } edit;
 
-/* A value with a unit in the file and none on the command line is off by a thousand sooner or later. */
+/* A value with a unit in the file and none on the command line is off by a thousand sooner or
+ * later. */
 static bool same_dimension(scene_parameters *parameters, parameter *p, const char *value) {
     char why[UNIT_TEXT];
     unit_value before, now;

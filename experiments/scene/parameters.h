@@ -20,12 +20,12 @@ typedef struct scene_parameters {
     int depth; /* of parameters that use parameters */
 } scene_parameters;
 
-/* Takes the section `parameters` of a scene; values are worked out when they are first asked for. */
+/* Takes the section `parameters` of a scene; values are worked out when first asked for. */
 scene_parameters scene_parameters_read(scene_arena *arena, scene_faults *faults,
                                        const tree_node *root);
 unit_scope scene_parameters_scope(scene_parameters *parameters);
 
-/* The text with every $name and ${name} replaced by the text of the parameter; NULL after a fault. */
+/* The text with every $name and ${name} replaced by that of the parameter; NULL after a fault. */
 const char *scene_parameters_replace(scene_parameters *parameters, const tree_node *node);
 
 /* If the text is one $name alone, the text of that parameter, else the text itself. */
@@ -33,8 +33,8 @@ const char *scene_parameters_word(scene_parameters *parameters, const char *text
 
 void scene_parameters_warn_unused(const scene_parameters *parameters);
 
-/* The source with every "name=value" of --set put in, as if the file had been edited. Names that the
- * file does not define and values of another dimension are faults. */
+/* The source with every "name=value" of --set put in, as if the file had been edited. Names that
+ * the file does not define and values of another dimension are faults. */
 const char *scene_parameters_set(scene_arena *arena, scene_faults *faults, const tree_node *root,
                                  const char *source, const char *const *set, int set_count);
 

@@ -1,5 +1,5 @@
-/* place.c - many bodies from one entry: on a grid, in closest packing, or at random where there is room.
- * The random numbers are a pure function of the seed, the place of the entry and the place in it.
+/* place.c - many bodies from one entry: on a grid, in closest packing, or at random where there is
+ * room. Random numbers are a pure function of the seed, the place of the entry and that in it.
  */
 #include "experiments/scene/build.h"
 
@@ -77,7 +77,8 @@ static clast_quat orientation(const crowd *c, const generator *g, const tree_nod
         clast_vec3 normal = {c->plane_axis == 0, c->plane_axis == 1, c->plane_axis == 2};
         return clast_quat_axis_angle(normal, TURN * u);
     }
-    return random_rotation(u, draw(c, source, DRAW_TURN, at + 1), draw(c, source, DRAW_TURN, at + 2));
+    return random_rotation(u, draw(c, source, DRAW_TURN, at + 1),
+                           draw(c, source, DRAW_TURN, at + 2));
 }
 
 static void add(crowd *c, const generator *g, const tree_node *node, int source, int index,
@@ -111,9 +112,10 @@ static bool make_room(scene_reader *r, const crowd *c, const generator *g, const
         out->low[i] = low[i] + margin;
         out->high[i] = high[i] - margin;
         if (out->high[i] < out->low[i]) {
-            FAULT(node, "region", "found %g m along %c, expected at least the diameter of the "
-                  "bounding sphere, %g m (or 0 for one layer)", high[i] - low[i], "xyz"[i],
-                  2 * out->reach);
+            FAULT(node, "region",
+                  "found %g m along %c, expected at least the diameter of the "
+                  "bounding sphere, %g m (or 0 for one layer)",
+                  high[i] - low[i], "xyz"[i], 2 * out -> reach);
             return false;
         }
     }
@@ -129,10 +131,11 @@ static double fitting(const free_room *room, int axis, double spacing) {
 static bool enough(scene_reader *r, const tree_node *node, const generator *g, double capacity) {
     double wanted = g->count > 0 ? g->count : capacity;
     if (wanted > capacity)
-        FAULT(node, "count", "placed %.0f of %d: the region holds no more at this spacing", capacity,
-              g->count);
+        FAULT(node, "count", "placed %.0f of %d: the region holds no more at this spacing",
+              capacity, g->count);
     else if (wanted > BODIES_MAX)
-        FAULT(node, "count", "found room for %.3g bodies, expected at most %.0e", wanted, BODIES_MAX);
+        FAULT(node, "count", "found room for %.3g bodies, expected at most %.0e", wanted,
+              BODIES_MAX);
     return wanted <= capacity && wanted <= BODIES_MAX;
 }
 
@@ -141,8 +144,8 @@ static double clamp(double x, double low, double high) {
 }
 
 /* Shifts by at most half the gap, so bounding spheres that did not touch still do not. */
-static void jitter(const crowd *c, const generator *g, const free_room *room, const double spacing[3],
-                   int source, int index, double at[3]) {
+static void jitter(const crowd *c, const generator *g, const free_room *room,
+                   const double spacing[3], int source, int index, double at[3]) {
     if (g->jitter == 0) return;
     for (int i = 0; i < 3; i++) {
         double gap = spacing[i] - 2 * room->reach;
@@ -156,8 +159,10 @@ static bool may_turn_freely(scene_reader *r, const tree_node *node, const genera
                             const free_room *room, double spacing) {
     bool safe = g->orientation == ORIENT_FIXED || spacing >= 2 * room->reach;
     if (!safe)
-        FAULT(node, "spacing", "found %g m, expected at least the diameter of the bounding sphere, "
-              "%g m, for a random orientation", spacing, 2 * room->reach);
+        FAULT(node, "spacing",
+              "found %g m, expected at least the diameter of the bounding sphere, "
+              "%g m, for a random orientation",
+              spacing, 2 * room->reach);
     return safe;
 }
 
@@ -192,8 +197,8 @@ void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const ge
 
 /* ---- hexagonal ------------------------------------------------------------------------------- */
 
-/* Closest packing as steps and shifts along three axes: u in a row, v from row to row, w from layer to
- * layer. One layer (w thin) is the closest packing of discs. */
+/* Closest packing as steps and shifts along three axes: u in a row, v from row to row, w from layer
+ * to layer. One layer (w thin) is the closest packing of discs. */
 typedef struct packing {
     int u, v, w;
     double spacing, row, layer;
@@ -202,14 +207,16 @@ typedef struct packing {
 static packing make_packing(const free_room *room, double spacing) {
     packing p = {.u = 0, .v = 1, .w = 2, .spacing = spacing};
     int thin = room->thin[1] ? 1 : room->thin[0] ? 0 : 2;
-    if (room->thin[thin]) p = (packing){.u = thin == 0 ? 1 : 0, .v = thin == 2 ? 1 : 2, .w = thin,
-                                        .spacing = spacing};
+    if (room->thin[thin])
+        p = (packing){
+            .u = thin == 0 ? 1 : 0, .v = thin == 2 ? 1 : 2, .w = thin, .spacing = spacing};
     p.row = spacing * (sqrt(3) / 2);
     p.layer = spacing * sqrt(2.0 / 3.0);
     return p;
 }
 
-static void packing_place(const packing *p, const free_room *room, int i, int j, int k, double at[3]) {
+static void packing_place(const packing *p, const free_room *room, int i, int j, int k,
+                          double at[3]) {
     at[p->u] = room->low[p->u] + p->spacing * (i + 0.5 * ((j + k) % 2));
     at[p->v] = room->low[p->v] + p->row * (j + (k % 2) / 3.0);
     at[p->w] = room->low[p->w] + p->layer * k;
@@ -250,7 +257,7 @@ void scene_place_hexagonal(scene_reader *r, crowd *c, const tree_node *node, con
 
 /* ---- random ---------------------------------------------------------------------------------- */
 
-/* Cells hold the bodies so far; a cell is as wide as the farthest two centres can be that conflict. */
+/* Cells hold the bodies so far; a cell is as wide as two centres that conflict can be apart. */
 typedef struct cell_grid {
     double width;
     uint32_t mask;
@@ -336,12 +343,13 @@ void scene_place_random(scene_reader *r, crowd *c, const tree_node *node, const 
     cell_grid cells = cells_new(c, g->count, room.reach, g->gap);
     uint64_t counter = 0;
     int placed = 0;
-    while (placed < g->count &&
-           place_one(c, &cells, g, node, &room, source, placed, &counter))
+    while (placed < g->count && place_one(c, &cells, g, node, &room, source, placed, &counter))
         placed++;
     if (placed < g->count)
-        FAULT(node, "count", "placed %d of %d: no free place for the next one in %d attempts "
-              "(a larger region, a smaller gap, or hexagonal)", placed, g->count, g->attempts);
+        FAULT(node, "count",
+              "placed %d of %d: no free place for the next one in %d attempts "
+              "(a larger region, a smaller gap, or hexagonal)",
+              placed, g->count, g->attempts);
     free(cells.head);
     free(cells.next);
 }

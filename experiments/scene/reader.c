@@ -129,7 +129,8 @@ static bool numbers(scene_reader *r, const scene_key *key, const tree_node *node
     return good;
 }
 
-static void read_numbers(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
+static void read_numbers(scene_reader *r, const scene_key *key, const tree_node *node,
+                         void *field) {
     double values[4];
     SCENE_ASSERT(key->length > 0 && key->length <= 4);
     if (numbers(r, key, node, key->length, values))
@@ -142,7 +143,8 @@ static void read_vector(scene_reader *r, const scene_key *key, const tree_node *
         *(clast_vec3 *)field = (clast_vec3){values[0], values[1], values[2]};
 }
 
-static void read_spacing(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
+static void read_spacing(scene_reader *r, const scene_key *key, const tree_node *node,
+                         void *field) {
     double one;
     if (node->kind == TREE_LIST)
         read_vector(r, key, node, field);
@@ -252,7 +254,8 @@ static void unknown_name(scene_reader *r, const scene_key *key, const tree_node 
     const char **names = scene_alloc(r->arena, ((size_t)count + 1) * sizeof *names);
     scene_buffer list = {0};
     scene_append(&list, "%s", count ? "" : "there are none");
-    for (const tree_node *entry = map ? map->first : NULL; entry && i < count; entry = entry->next) {
+    for (const tree_node *entry = map ? map->first : NULL; entry && i < count;
+         entry = entry->next) {
         names[i] = entry->key;
         if (i < 20) scene_append(&list, "%s%s", i ? ", " : "", entry->key);
         if (++i == 20) scene_append(&list, ", ...");
@@ -307,7 +310,8 @@ static void read_items(scene_reader *r, const scene_key *key, const tree_node *n
     item_list *list = field;
     size_t size = key->section->size;
     char *items = scene_alloc(r->arena, ((size_t)node->children + 1) * size);
-    void *blank = scene_alloc(r->arena, size); /* thousands of bodies share one reading of defaults */
+    void *blank =
+        scene_alloc(r->arena, size); /* thousands of bodies share one reading of defaults */
     apply_defaults(r, key->section, blank);
     list->items = items;
     for (const tree_node *child = node->first; child; child = child->next) {
@@ -319,17 +323,18 @@ static void read_items(scene_reader *r, const scene_key *key, const tree_node *n
     }
 }
 
-static void read_nothing(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
+static void read_nothing(scene_reader *r, const scene_key *key, const tree_node *node,
+                         void *field) {
     (void)r, (void)key, (void)node, (void)field;
 }
 
 static read_fn *const READ[] = {
-    [KEY_NUMBER] = read_number,   [KEY_COUNT] = read_count,       [KEY_SEED] = read_seed,
-    [KEY_SWITCH] = read_switch,   [KEY_CHOICE] = read_choice,     [KEY_TEXT] = read_text,
-    [KEY_FILE] = read_file,       [KEY_NAME] = read_name,         [KEY_NAMES] = read_names,
-    [KEY_VECTOR] = read_vector,   [KEY_SPACING] = read_spacing,   [KEY_NUMBERS] = read_numbers,
-    [KEY_POINTS] = read_points,   [KEY_INTERVAL] = read_interval, [KEY_SECTION] = read_inner,
-    [KEY_PART] = read_inner,      [KEY_NAMED] = read_items,       [KEY_LIST] = read_items,
+    [KEY_NUMBER] = read_number,      [KEY_COUNT] = read_count,       [KEY_SEED] = read_seed,
+    [KEY_SWITCH] = read_switch,      [KEY_CHOICE] = read_choice,     [KEY_TEXT] = read_text,
+    [KEY_FILE] = read_file,          [KEY_NAME] = read_name,         [KEY_NAMES] = read_names,
+    [KEY_VECTOR] = read_vector,      [KEY_SPACING] = read_spacing,   [KEY_NUMBERS] = read_numbers,
+    [KEY_POINTS] = read_points,      [KEY_INTERVAL] = read_interval, [KEY_SECTION] = read_inner,
+    [KEY_PART] = read_inner,         [KEY_NAMED] = read_items,       [KEY_LIST] = read_items,
     [KEY_PARAMETERS] = read_nothing,
 };
 
@@ -346,9 +351,9 @@ static void apply_default(scene_reader *r, const scene_key *key, void *target) {
         static const int NONE[2] = {-1, -1};
         memcpy(field_of(key, target), NONE, key->kind == KEY_NAME ? sizeof *NONE : sizeof NONE);
     } else if (key->fallback) {
-        const tree_node *node = scene_tree_load(r->arena, r->faults,
-                                                scene_print(r->arena, "v: %s", key->fallback),
-                                                strlen(key->fallback) + 3);
+        const tree_node *node =
+            scene_tree_load(r->arena, r->faults, scene_print(r->arena, "v: %s", key->fallback),
+                            strlen(key->fallback) + 3);
         SCENE_ASSERT(node && node->first);
         READ[key->kind](r, key, node->first, field_of(key, target));
     }

@@ -18,7 +18,6 @@ void scene_read(scene_reader *reader, scene_draft *draft);
 
 /* A fault at `key` inside `node`, or at `node` itself when key is NULL. */
 void scene_fault_at(scene_arena *arena, scene_faults *faults, const tree_node *node,
-                    const char *key, const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
+                    const char *key, const char *format, ...) __attribute__((format(printf, 5, 6)));
 
 #endif

@@ -41,11 +41,15 @@ static clast_world *make_world(const scene *s, const scene_pair *pair, partner p
     for (int i = 0; i < 2; i++) {
         const clast_vec3 centre = {0};
         good = clast_material_add(w, &s->materials[of[i]]) == i && good;
-        good = clast_shape_add(w, &(clast_shape_def){.name = i ? "right" : "left", .material = i,
-                                                     .spheres = 1, .centre = &centre,
-                                                     .radius = &p.radius, .mass = p.mass,
-                                                     .inertia = {inertia, inertia, inertia}}) == i &&
-               good;
+        good =
+            clast_shape_add(w, &(clast_shape_def){.name = i ? "right" : "left",
+                                                  .material = i,
+                                                  .spheres = 1,
+                                                  .centre = &centre,
+                                                  .radius = &p.radius,
+                                                  .mass = p.mass,
+                                                  .inertia = {inertia, inertia, inertia}}) == i &&
+            good;
     }
     for (int i = 0; i < 3 && good; i++) /* like with like never meets, but every pair must be set */
         good = clast_pair_set(w, i == 2, i > 0, &pair->def) == CLAST_OK;

@@ -4,9 +4,10 @@
 
 #include "experiments/scene/scene.h"
 
-/* Drops nothing and measures: two equal spheres with the mass of the lightest body and the radius of the
- * largest element sphere meet head-on at the speed and the step of the plan. Returns the rebound over
- * impact speed, or a negative number when they do not part again (a step far too large). */
+/* Drops nothing and measures: two equal spheres with the mass of the lightest body and the radius
+ * of the largest element sphere meet head-on at the speed and the step of the plan. Returns the
+ * rebound over impact speed, or a negative number when they do not part again (a step far too
+ * large). */
 double scene_rebound(const scene *s, const scene_pair *pair);
 
 #endif

@@ -9,8 +9,8 @@ static void append_range(scene_buffer *out, key_range range) {
     bool low = isfinite(range.low), high = isfinite(range.high);
     if (low) scene_append(out, ", %s %.15g", range.low_open ? ">" : ">=", range.low);
     if (high)
-        scene_append(out, "%s %s %.15g", low ? " and" : ",", range.high_open ? "<" : "<=",
-                     range.high);
+        scene_append(out, "%s %s %.15g", low ? " and" : ",",
+                     range.high_open ? "<" : "<=", range.high);
 }
 
 static bool starts_with_vowel(const char *word) {
@@ -36,39 +36,65 @@ static void append_list(scene_buffer *out, const scene_key *key, const char *for
 static void append_kind(scene_buffer *out, const scene_key *key) {
     static const char *const LENGTHS[] = {"", "[a]", "[a, b]", "[a, b, c]", "[a, b, c, d]"};
     switch (key->kind) {
-    case KEY_NUMBER: append_quantity(out, key); break;
+    case KEY_NUMBER:
+        append_quantity(out, key);
+        break;
     case KEY_COUNT:
     case KEY_SEED:
         scene_append(out, "a whole number");
         append_range(out, key->range);
         break;
-    case KEY_SWITCH: scene_append(out, "true or false"); break;
-    case KEY_CHOICE: append_words(out, key->choices); break;
+    case KEY_SWITCH:
+        scene_append(out, "true or false");
+        break;
+    case KEY_CHOICE:
+        append_words(out, key->choices);
+        break;
     case KEY_TEXT:
         if (key->choices)
             append_words(out, key->choices);
         else
             scene_append(out, "a text");
         break;
-    case KEY_FILE: scene_append(out, "a file (from the folder of the scene, or the working folder)"); break;
-    case KEY_NAME: scene_append(out, "a name from %s", key->refers); break;
-    case KEY_NAMES: scene_append(out, "[a, b], both names from %s", key->refers); break;
-    case KEY_VECTOR: append_list(out, key, "[x, y, z]"); break;
+    case KEY_FILE:
+        scene_append(out, "a file (from the folder of the scene, or the working folder)");
+        break;
+    case KEY_NAME:
+        scene_append(out, "a name from %s", key->refers);
+        break;
+    case KEY_NAMES:
+        scene_append(out, "[a, b], both names from %s", key->refers);
+        break;
+    case KEY_VECTOR:
+        append_list(out, key, "[x, y, z]");
+        break;
     case KEY_SPACING:
         append_quantity(out, key);
         scene_append(out, ", or [x, y, z] of them");
         break;
-    case KEY_NUMBERS: append_list(out, key, LENGTHS[key->length]); break;
-    case KEY_POINTS: append_list(out, key, "[[x, z], [x, z], [x, z], ...]"); break;
+    case KEY_NUMBERS:
+        append_list(out, key, LENGTHS[key->length]);
+        break;
+    case KEY_POINTS:
+        append_list(out, key, "[[x, z], [x, z], [x, z], ...]");
+        break;
     case KEY_INTERVAL:
         scene_append(out, "a time in s or a rate in /s, with its unit");
         append_range(out, key->range);
         break;
     case KEY_SECTION:
-    case KEY_PART: scene_append(out, "a map of keys"); break;
-    case KEY_NAMED: scene_append(out, "a map of names"); break;
-    case KEY_LIST: scene_append(out, "a list"); break;
-    case KEY_PARAMETERS: scene_append(out, "a map of names"); break;
+    case KEY_PART:
+        scene_append(out, "a map of keys");
+        break;
+    case KEY_NAMED:
+        scene_append(out, "a map of names");
+        break;
+    case KEY_LIST:
+        scene_append(out, "a list");
+        break;
+    case KEY_PARAMETERS:
+        scene_append(out, "a map of names");
+        break;
     }
 }
 

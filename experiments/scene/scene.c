@@ -145,8 +145,11 @@ static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
     const tree_node *root = text ? load_tree(arena, faults, options, &text) : NULL;
     if (!root) return NULL;
     scene_parameters parameters = scene_parameters_read(arena, faults, root);
-    scene_reader reader = {.arena = arena, .faults = faults, .parameters = &parameters,
-                           .root = root, .folder = folder_of(arena, path)};
+    scene_reader reader = {.arena = arena,
+                           .faults = faults,
+                           .parameters = &parameters,
+                           .root = root,
+                           .folder = folder_of(arena, path)};
     scene_draft draft = {.def = clast_world_def_default()};
     scene_read(&reader, &draft);
     if (options->threads > 0) draft.def.threads = options->threads;

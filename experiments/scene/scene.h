@@ -1,7 +1,7 @@
 /* scene.h - a scene file, read, checked and ready to become a world.
  *
- * A scene is YAML (README.md of this folder lists every key). Reading never stops at the first fault:
- * all of them are collected with file, line, key, what was found and what was expected.
+ * A scene is YAML (README.md of this folder lists every key). Reading never stops at the first
+ * fault: all of them are collected with file, line, key, what was found and what was expected.
  */
 #ifndef CLAST_SCENE_H
 #define CLAST_SCENE_H
@@ -39,17 +39,17 @@ typedef enum colour_by {
 
 /* How frames are drawn; every field has a default, so a scene may leave the section out. */
 typedef struct view {
-    char *preset;              /* "draft" or "final" */
-    int width, height;         /* pixels */
+    char *preset;      /* "draft" or "final" */
+    int width, height; /* pixels */
     colour_by colour;
-    char *map;                 /* "viridis" or "cividis" */
-    double speed_max;          /* m/s, top of the colour bar; 0 takes the fastest of each frame */
-    clast_vec3 look_from;      /* direction from the centre of the box towards the eye */
+    char *map;            /* "viridis" or "cividis" */
+    double speed_max;     /* m/s, top of the colour bar; 0 takes the fastest of each frame */
+    clast_vec3 look_from; /* direction from the centre of the box towards the eye */
     clast_vec3 up;
     clast_vec3 box_min, box_max; /* m, what must be in the picture; equal corners = the domain */
     bool perspective;
-    bool walls;                /* draw walls, translucent */
-    double frames_per_second;  /* of the animation */
+    bool walls;               /* draw walls, translucent */
+    double frames_per_second; /* of the animation */
 } view;
 
 /* When a run ends. */
@@ -74,8 +74,8 @@ typedef struct scene_pair {
 
 typedef struct scene {
     char *path, *title;
-    char *text;              /* the file as read, with parameters after --set: goes into run.h5 */
-    clast_world *world;      /* built and prepared; owned by the scene */
+    char *text;         /* the file as read, with parameters after --set: goes into run.h5 */
+    clast_world *world; /* built and prepared; owned by the scene */
     measure *measures;
     int measure_count;
     view view;
@@ -91,14 +91,15 @@ typedef struct scene {
 typedef struct scene_options {
     const char *const *set; /* "name=value" strings: override entries of `parameters` */
     int set_count;
-    int threads;            /* 0 = as the scene says */
-    clast_isa isa;          /* AUTO = as the scene says */
-    bool parse_only;        /* do not prepare the world */
-    int fit_spheres;        /* > 0: fitted shapes get so many spheres; `clast plan` asks what fewer cost */
+    int threads;     /* 0 = as the scene says */
+    clast_isa isa;   /* AUTO = as the scene says */
+    bool parse_only; /* do not prepare the world */
+    int fit_spheres; /* > 0: fitted shapes get so many spheres; `clast plan` asks what fewer cost */
 } scene_options;
 
-/* Reads, checks and builds. NULL when anything is wrong; *faults is then a malloc'ed text with one fault
- * a line. When a scene is usable but something deserves a warning, *faults holds the warnings. */
+/* Reads, checks and builds. NULL when anything is wrong; *faults is then a malloc'ed text with one
+ * fault a line. When a scene is usable but something deserves a warning, *faults holds the
+ * warnings. */
 scene *scene_load(const char *path, const scene_options *options, char **faults);
 void scene_free(scene *s);
 

@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+/* Rows of tables read better as they stand here: */
+/* clang-format off */
+
 #define TABLE(name, title_text, type, rows)                                                        \
     static const key_section name = {.title = (title_text), .size = sizeof(type), .keys = rows,    \
                                      .count = (int)(sizeof(rows) / sizeof *(rows))}
@@ -30,7 +33,8 @@ static const char *const MAPS[] = {"viridis", "cividis", NULL};
 static const char *const PROJECTIONS[] = {"orthographic", "perspective", NULL};
 
 /* Choices are stored as places in their lists: these must not drift apart. */
-_Static_assert(CLAST_LAW_HERTZ_A00 == 0 && CLAST_LAW_HERTZ_MINDLIN == 1 && CLAST_LAW_LINEAR == 2, "");
+_Static_assert(CLAST_LAW_HERTZ_A00 == 0 && CLAST_LAW_HERTZ_MINDLIN == 1 &&
+               CLAST_LAW_LINEAR == 2, "");
 _Static_assert(CLAST_LIMIT_TOTAL == 0 && CLAST_LIMIT_SPRING == 1, "");
 _Static_assert(CLAST_UNLOAD_RESCALE == 0 && CLAST_UNLOAD_AS_PRINTED == 1, "");
 _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
@@ -121,7 +125,8 @@ static const scene_key SHAPE_KEYS[] = {
     {"mass", KEY_NUMBER, UNIT_MASS, FIELD(mass), ABOVE(0), .word = "auto", .fallback = "auto",
      .meaning = "auto: from the density; overlapping spheres need a number"},
     {"inertia", KEY_VECTOR, UNIT_INERTIA, FIELD(inertia), ABOVE(0), .word = "auto",
-     .fallback = "auto", .meaning = "principal moments about x, y, z of the body; auto as for mass"},
+     .fallback = "auto",
+     .meaning = "principal moments about x, y, z of the body; auto as for mass"},
     {"outline", KEY_POINTS, UNIT_LENGTH, FIELD(outline), ANY,
      .meaning = "[[x, z], ...] of the profile, for drawing; a fit brings its ellipse"},
 };
@@ -269,9 +274,11 @@ static const scene_key BODY_KEYS[] = {
     {"random", KEY_PART, FIELD(random), .section = &RANDOM, .one_of = true,
      .meaning = "many bodies, one after the other where there is room"},
     {"csv", KEY_FILE, FIELD(csv), .one_of = true,
-     .meaning = "table with columns shape, x, y, z and, if given, qw qx qy qz vx vy vz wx wy wz; SI"},
+     .meaning =
+         "table with columns shape, x, y, z and, if given, qw qx qy qz vx vy vz wx wy wz; SI"},
     {"from", KEY_FILE, FIELD(from), .one_of = true,
-     .meaning = "folder of an earlier run, or its checkpoint: bodies with motion and contact history"},
+     .meaning =
+         "folder of an earlier run, or its checkpoint: bodies with motion and contact history"},
 };
 TABLE(BODY, "bodies[]", body_item, BODY_KEYS);
 
@@ -442,7 +449,8 @@ static const scene_key VIEW_KEYS[] = {
      .meaning = "what must be in the picture; default: the domain"},
     {"projection", KEY_CHOICE, FIELD(projection), .choices = PROJECTIONS,
      .fallback = "orthographic", .meaning = "parallel, or from a point"},
-    {"walls", KEY_SWITCH, FIELD(view.walls), .fallback = "true", .meaning = "draws walls, translucent"},
+    {"walls", KEY_SWITCH, FIELD(view.walls), .fallback = "true",
+     .meaning = "draws walls, translucent"},
     {"fps", KEY_NUMBER, UNIT_RATE, FIELD(view.frames_per_second), ABOVE(0), .fallback = "25",
      .meaning = "frames per second of the animation"},
 };

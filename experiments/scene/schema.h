@@ -1,5 +1,6 @@
-/* schema.h - every key of a scene in tables: name, dimension, range, default, meaning, and the field it
- * fills. Reading, checking, defaults and the reference of `clast check --keys` come from here alone.
+/* schema.h - every key of a scene in tables: name, dimension, range, default, meaning, and the
+ * field it fills. Reading, checking, defaults and the reference of `clast check --keys` come from
+ * here alone.
  */
 #ifndef CLAST_SCENE_SCHEMA_H
 #define CLAST_SCENE_SCHEMA_H
@@ -10,26 +11,26 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef enum key_kind {   /* field in the target struct */
-    KEY_NUMBER,           /* double */
-    KEY_COUNT,            /* int */
-    KEY_SEED,             /* uint64_t */
-    KEY_SWITCH,           /* bool */
-    KEY_CHOICE,           /* int or enum: place of the word in `choices` */
-    KEY_TEXT,             /* const char *, one of `choices` if there are any */
-    KEY_FILE,             /* const char *, an existing file or folder */
-    KEY_NAME,             /* int: index of an entry of the section `refers` */
-    KEY_NAMES,            /* int[2] */
-    KEY_VECTOR,           /* clast_vec3 */
-    KEY_SPACING,          /* clast_vec3, one number stands for all three */
-    KEY_NUMBERS,          /* double[length] */
-    KEY_POINTS,           /* point_list */
-    KEY_INTERVAL,         /* double: s between two outputs, from a time or a rate */
-    KEY_SECTION,          /* fields of `section` in the same target */
-    KEY_PART,             /* fields of `section` in a struct at offset */
-    KEY_NAMED,            /* item_list: map from names to `section` */
-    KEY_LIST,             /* item_list: list of `section` */
-    KEY_PARAMETERS        /* read before anything else */
+typedef enum key_kind {                /* field in the target struct */
+                        KEY_NUMBER,    /* double */
+                        KEY_COUNT,     /* int */
+                        KEY_SEED,      /* uint64_t */
+                        KEY_SWITCH,    /* bool */
+                        KEY_CHOICE,    /* int or enum: place of the word in `choices` */
+                        KEY_TEXT,      /* const char *, one of `choices` if there are any */
+                        KEY_FILE,      /* const char *, an existing file or folder */
+                        KEY_NAME,      /* int: index of an entry of the section `refers` */
+                        KEY_NAMES,     /* int[2] */
+                        KEY_VECTOR,    /* clast_vec3 */
+                        KEY_SPACING,   /* clast_vec3, one number stands for all three */
+                        KEY_NUMBERS,   /* double[length] */
+                        KEY_POINTS,    /* point_list */
+                        KEY_INTERVAL,  /* double: s between two outputs, from a time or a rate */
+                        KEY_SECTION,   /* fields of `section` in the same target */
+                        KEY_PART,      /* fields of `section` in a struct at offset */
+                        KEY_NAMED,     /* item_list: map from names to `section` */
+                        KEY_LIST,      /* item_list: list of `section` */
+                        KEY_PARAMETERS /* read before anything else */
 } key_kind;
 
 typedef struct key_range {
@@ -47,8 +48,8 @@ typedef struct scene_key {
     key_range range;
     const char *fallback; /* default as it would be written; NULL: stays as it was */
     bool required;
-    bool one_of;          /* exactly one of the keys so marked must be there */
-    const char *word;     /* a word that may stand for 0: auto, none, never */
+    bool one_of;                /* exactly one of the keys so marked must be there */
+    const char *word;           /* a word that may stand for 0: auto, none, never */
     const char *const *choices; /* up to NULL */
     const char *refers;
     int length;

@@ -10,7 +10,14 @@ enum { FAULTS_MAX = 20, COLUMNS = 14, LINE_BYTES = 4096 };
 
 static const char *const NAMES[COLUMNS] = {"shape", "x",  "y",  "z",  "qw", "qx", "qy",
                                            "qz",    "vx", "vy", "vz", "wx", "wy", "wz"};
-enum { SHAPE, X, QW = 4, VX = 8, WX = 11, NEEDED = 4 }; /* places in NAMES; the first 4 are needed */
+enum {
+    SHAPE,
+    X,
+    QW = 4,
+    VX = 8,
+    WX = 11,
+    NEEDED = 4
+}; /* places in NAMES; the first 4 are needed */
 
 typedef struct table {
     scene_reader *r;
@@ -53,15 +60,18 @@ static void read_heading(table *t, char *line) {
     for (char *cell = next_cell(&line); cell; cell = next_cell(&line)) {
         int name = name_of(cell);
         if (name < 0 || seen[name] || t->columns == COLUMNS) {
-            FAULT(t, cell, "found %s, expected shape, x, y, z and perhaps qw, qx, qy, qz, vx, "
-                  "vy, vz, wx, wy, wz", name < 0 ? "an unknown column" : "a column twice");
+            FAULT(t, cell,
+                  "found %s, expected shape, x, y, z and perhaps qw, qx, qy, qz, vx, "
+                  "vy, vz, wx, wy, wz",
+                  name < 0 ? "an unknown column" : "a column twice");
             continue;
         }
         seen[name] = true;
         t->column[t->columns++] = name;
     }
     for (int i = 0; i < COLUMNS; i++) {
-        bool needed = i < NEEDED || (i >= QW && i < VX && (seen[QW] || seen[5] || seen[6] || seen[7]));
+        bool needed =
+            i < NEEDED || (i >= QW && i < VX && (seen[QW] || seen[5] || seen[6] || seen[7]));
         if (needed && !seen[i]) FAULT(t, NAMES[i], "missing, expected a column of this name");
     }
 }

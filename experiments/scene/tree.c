@@ -82,8 +82,8 @@ static void convert_map(loader *l, const yaml_node_t *from, tree_node *map, int 
                          "found a list or map as a key, expected a word");
             continue;
         }
-        char *key = scene_copy(l->arena, (const char *)name->data.scalar.value,
-                               name->data.scalar.length);
+        char *key =
+            scene_copy(l->arena, (const char *)name->data.scalar.value, name->data.scalar.length);
         if (is_repeated(l, map, key, line_of(name))) continue;
         place at = {.parent = map, .key = key, .key_line = line_of(name), .depth = depth};
         tree_node *child = convert(l, pair->value, at);
@@ -94,8 +94,8 @@ static void convert_map(loader *l, const yaml_node_t *from, tree_node *map, int 
 
 static tree_node *convert_scalar(loader *l, const yaml_node_t *from, tree_node *node) {
     node->kind = TREE_SCALAR;
-    node->text = scene_copy(l->arena, (const char *)from->data.scalar.value,
-                            from->data.scalar.length);
+    node->text =
+        scene_copy(l->arena, (const char *)from->data.scalar.value, from->data.scalar.length);
     node->quoted = from->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
     node->begin = byte_of(l, from->start_mark.index);
     node->end = byte_of(l, from->end_mark.index);
@@ -138,10 +138,10 @@ static void report_syntax(scene_faults *faults, const yaml_parser_t *parser) {
                      "found a byte that is no text (%s), expected UTF-8", parser->problem);
         return;
     }
-    const char *begun = parser->context ? scene_print(faults->arena, ", %s begun in line %d",
-                                                      parser->context,
-                                                      (int)parser->context_mark.line + 1)
-                                        : "";
+    const char *begun = parser->context
+                            ? scene_print(faults->arena, ", %s begun in line %d", parser->context,
+                                          (int)parser->context_mark.line + 1)
+                            : "";
     scene_report(faults, (int)parser->problem_mark.line + 1, "", "YAML: %s in column %d%s",
                  parser->problem ? parser->problem : "cannot be read",
                  (int)parser->problem_mark.column + 1, begun);
@@ -171,7 +171,8 @@ static void refuse_second_document(scene_faults *faults, yaml_parser_t *parser) 
     }
     const yaml_node_t *root = yaml_document_get_root_node(&second);
     if (root)
-        scene_report(faults, line_of(root), "", "found a second document, expected one scene a file");
+        scene_report(faults, line_of(root), "",
+                     "found a second document, expected one scene a file");
     yaml_document_delete(&second);
 }
 
@@ -185,7 +186,10 @@ const tree_node *scene_tree_load(scene_arena *arena, scene_faults *faults, const
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
     const tree_node *tree = NULL;
     if (yaml_parser_load(&parser, &document)) {
-        loader l = {.arena = arena, .faults = faults, .document = &document, .source = text,
+        loader l = {.arena = arena,
+                    .faults = faults,
+                    .document = &document,
+                    .source = text,
                     .length = length};
         tree = convert_document(&l);
         bool more = yaml_document_get_root_node(&document) != NULL;

@@ -1,4 +1,4 @@
-/* tree.h - a YAML document as a tree that knows where everything stood. No other file sees libyaml. */
+/* tree.h - a YAML document as a tree that knows where everything stood. */
 #ifndef CLAST_SCENE_TREE_H
 #define CLAST_SCENE_TREE_H
 
@@ -11,12 +11,12 @@ typedef enum tree_kind { TREE_SCALAR, TREE_LIST, TREE_MAP } tree_kind;
 
 typedef struct tree_node {
     tree_kind kind;
-    int line;         /* of the value of a scalar, of the key of a list or map */
-    const char *text; /* scalar */
-    bool quoted;      /* scalar in quotes: never empty, never a word such as true */
+    int line;          /* of the value of a scalar, of the key of a list or map */
+    const char *text;  /* scalar */
+    bool quoted;       /* scalar in quotes: never empty, never a word such as true */
     size_t begin, end; /* scalar: bytes of the source that it takes */
-    const char *key;  /* as an entry of a map, else NULL */
-    int index;        /* place among its siblings */
+    const char *key;   /* as an entry of a map, else NULL */
+    int index;         /* place among its siblings */
     int children;
     const struct tree_node *parent, *first, *next;
 } tree_node;

@@ -14,34 +14,23 @@ static const double PI = 3.141592653589793; /* literals: libm's acos may differ 
 static const double DEGREE = 0.017453292519943295;
 static const double TURN = 6.283185307179586;
 
-#define DIM(m, kg, s) {(m), (kg), (s)}
+#define DIM(m, kg, s)                                                                              \
+    { (m), (kg), (s) }
 
 /* symbol, {dimension, power of ten, factor}, prefix; the factor is for what is not decimal. */
 static const row UNITS[] = {
-    {"m", {DIM(1, 0, 0), 0, 1}, true},
-    {"in", {DIM(1, 0, 0), -4, 254}, false},
-    {"ft", {DIM(1, 0, 0), -4, 3048}, false},
-    {"g", {DIM(0, 1, 0), -3, 1}, true},
-    {"t", {DIM(0, 1, 0), 3, 1}, true},
-    {"lb", {DIM(0, 1, 0), -8, 45359237}, false},
-    {"s", {DIM(0, 0, 1), 0, 1}, true},
-    {"min", {DIM(0, 0, 1), 0, 60}, false},
-    {"h", {DIM(0, 0, 1), 0, 3600}, false},
-    {"d", {DIM(0, 0, 1), 0, 86400}, false},
-    {"Hz", {DIM(0, 0, -1), 0, 1}, true},
-    {"rad", {DIM(0, 0, 0), 0, 1}, true},
-    {"deg", {DIM(0, 0, 0), 0, DEGREE}, false},
-    {"rpm", {DIM(0, 0, -1), 0, TURN / 60}, false},
-    {"N", {DIM(1, 1, -2), 0, 1}, true},
-    {"Nm", {DIM(2, 1, -2), 0, 1}, false},
-    {"Pa", {DIM(-1, 1, -2), 0, 1}, true},
-    {"bar", {DIM(-1, 1, -2), 5, 1}, true},
-    {"J", {DIM(2, 1, -2), 0, 1}, true},
-    {"W", {DIM(2, 1, -3), 0, 1}, true},
-    {"L", {DIM(3, 0, 0), -3, 1}, true},
-    {"l", {DIM(3, 0, 0), -3, 1}, true},
-    {"%", {DIM(0, 0, 0), -2, 1}, false},
-    {"pi", {DIM(0, 0, 0), 0, PI}, false},
+    {"m", {DIM(1, 0, 0), 0, 1}, true},         {"in", {DIM(1, 0, 0), -4, 254}, false},
+    {"ft", {DIM(1, 0, 0), -4, 3048}, false},   {"g", {DIM(0, 1, 0), -3, 1}, true},
+    {"t", {DIM(0, 1, 0), 3, 1}, true},         {"lb", {DIM(0, 1, 0), -8, 45359237}, false},
+    {"s", {DIM(0, 0, 1), 0, 1}, true},         {"min", {DIM(0, 0, 1), 0, 60}, false},
+    {"h", {DIM(0, 0, 1), 0, 3600}, false},     {"d", {DIM(0, 0, 1), 0, 86400}, false},
+    {"Hz", {DIM(0, 0, -1), 0, 1}, true},       {"rad", {DIM(0, 0, 0), 0, 1}, true},
+    {"deg", {DIM(0, 0, 0), 0, DEGREE}, false}, {"rpm", {DIM(0, 0, -1), 0, TURN / 60}, false},
+    {"N", {DIM(1, 1, -2), 0, 1}, true},        {"Nm", {DIM(2, 1, -2), 0, 1}, false},
+    {"Pa", {DIM(-1, 1, -2), 0, 1}, true},      {"bar", {DIM(-1, 1, -2), 5, 1}, true},
+    {"J", {DIM(2, 1, -2), 0, 1}, true},        {"W", {DIM(2, 1, -3), 0, 1}, true},
+    {"L", {DIM(3, 0, 0), -3, 1}, true},        {"l", {DIM(3, 0, 0), -3, 1}, true},
+    {"%", {DIM(0, 0, 0), -2, 1}, false},       {"pi", {DIM(0, 0, 0), 0, PI}, false},
 };
 
 static const struct {
@@ -50,7 +39,10 @@ static const struct {
 } PREFIXES[] = {{'p', -12}, {'n', -9}, {'u', -6}, {'m', -3}, {'c', -2}, {'d', -1},
                 {'h', 2},   {'k', 3},  {'M', 6},  {'G', 9},  {'T', 12}};
 
-enum { UNIT_COUNT = sizeof UNITS / sizeof *UNITS, PREFIX_COUNT = sizeof PREFIXES / sizeof *PREFIXES };
+enum {
+    UNIT_COUNT = sizeof UNITS / sizeof *UNITS,
+    PREFIX_COUNT = sizeof PREFIXES / sizeof *PREFIXES
+};
 
 static const struct {
     const char *name, *si;
@@ -140,10 +132,10 @@ bool unit_find(const char *symbol, unit_symbol *unit) {
 
 const char *unit_suggest(const char *symbol, char text[UNIT_TEXT]) {
     SCENE_ASSERT(symbol && text);
-    static const char *const USUAL[] = {"mm",  "cm",  "m",   "um",  "km",   "s",  "ms", "us",
-                                        "min", "h",   "kg",  "g",   "mg",   "t",  "Pa", "kPa",
-                                        "MPa", "GPa", "N",   "kN",  "mN",   "J",  "mJ", "W",
-                                        "kW",  "Hz",  "rad", "deg", "rpm",  "in", "ft", "nm"};
+    static const char *const USUAL[] = {"mm",  "cm",  "m",   "um",  "km",  "s",  "ms", "us",
+                                        "min", "h",   "kg",  "g",   "mg",  "t",  "Pa", "kPa",
+                                        "MPa", "GPa", "N",   "kN",  "mN",  "J",  "mJ", "W",
+                                        "kW",  "Hz",  "rad", "deg", "rpm", "in", "ft", "nm"};
     const char *best = scene_suggest(symbol, USUAL, (int)(sizeof USUAL / sizeof *USUAL));
     if (best) snprintf(text, UNIT_TEXT, "%s", best);
     return best ? text : NULL;

@@ -58,8 +58,8 @@ enum { UNIT_TEXT = 200 }; /* room for a message */
 /* "length", "force", or "kg m/s3" for a dimension without a name of its own. */
 void unit_describe(unit_dimension dimension, char text[UNIT_TEXT]);
 
-/* Where $names come from. `find` fills *value, or fills why and returns false; an empty why means that
- * the reason has been reported already. */
+/* Where $names come from. `find` fills *value, or fills why and returns false; an empty why means
+ * that the reason has been reported already. */
 typedef struct unit_scope {
     bool (*find)(void *context, const char *name, unit_value *value, char why[UNIT_TEXT]);
     bool (*knows)(void *context, const char *name);

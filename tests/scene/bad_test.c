@@ -1,7 +1,7 @@
 /* bad_test.c - every scene under bad/ has exactly the faults that its comments expect.
  *
- * "# expect: TEXT" behind a line stands for a fault in that line; "# expect in FILE:LINE: TEXT" names the
- * line itself. "..." at the end leaves the rest open (numbers that the engine works out).
+ * "# expect: TEXT" behind a line stands for a fault in that line; "# expect in FILE:LINE: TEXT"
+ * names the line itself. "..." at the end leaves the rest open (numbers that the engine works out).
  */
 #include "tests/scene/testing.h"
 
@@ -119,7 +119,8 @@ static void a_missing_scene_is_a_fault(void **state) {
     (void)state;
     char *faults = NULL;
     assert_null(scene_load("no/such/scene.yaml", NULL, &faults));
-    assert_string_equal(faults, "no/such/scene.yaml: cannot be opened: No such file or directory\n");
+    assert_string_equal(faults,
+                        "no/such/scene.yaml: cannot be opened: No such file or directory\n");
     free(faults);
     assert_null(scene_load(CLAST_SCENES, NULL, &faults));
     assert_non_null(strstr(faults, "cannot be read"));

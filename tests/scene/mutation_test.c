@@ -1,6 +1,6 @@
-/* mutation_test.c - a good scene with bytes deleted, swapped, doubled and replaced always ends with faults
- * or with a scene: it never crashes and never hangs. Run it with the sanitizers on (preset asan).
- * CLAST_MUTATIONS and CLAST_SEED in the environment ask for more and for others.
+/* mutation_test.c - a good scene with bytes deleted, swapped, doubled and replaced always ends with
+ * faults or with a scene: it never crashes and never hangs. Run it with the sanitizers on (preset
+ * asan). CLAST_MUTATIONS and CLAST_SEED in the environment ask for more and for others.
  */
 #include "tests/scene/testing.h"
 
@@ -12,7 +12,8 @@
 static uint64_t state_of_random;
 
 static uint64_t next(uint64_t below) {
-    state_of_random = state_of_random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    state_of_random =
+        state_of_random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
     return (state_of_random >> 33) % below;
 }
 
@@ -37,7 +38,9 @@ static void mutate(char *text, size_t *length) {
         text[other] = c;
         break;
     }
-    case 3: text[at] = SIGNS[next(sizeof SIGNS - 1)]; break;
+    case 3:
+        text[at] = SIGNS[next(sizeof SIGNS - 1)];
+        break;
     default: /* insert */
         memmove(text + at + 1, text + at, *length - at);
         text[at] = SIGNS[next(sizeof SIGNS - 1)];
@@ -62,7 +65,8 @@ static bool load_damaged(const char *path, long number) {
     double start = seconds();
     scene *s = scene_load(path, NULL, &faults);
     if (!s && !faults) fail_msg("mutation %ld: neither a scene nor a fault (%s)", number, path);
-    if (seconds() - start > 20) fail_msg("mutation %ld took %g s (%s)", number, seconds() - start, path);
+    if (seconds() - start > 20)
+        fail_msg("mutation %ld took %g s (%s)", number, seconds() - start, path);
     bool good = s != NULL;
     scene_free(s);
     free(faults);

@@ -1,4 +1,5 @@
-/* place_test.c - bodies placed by generators: no overlap, inside their region, the same bits for a seed. */
+/* place_test.c - bodies placed by generators: no overlap, inside their region, the same bits for a
+ * seed. */
 #include "tests/scene/testing.h"
 
 #include "experiments/scene/build.h"
@@ -114,7 +115,10 @@ static void random_rotations_are_uniform(void **state) {
     fixture f;
     fixture_open(&f);
     crowd c = crowd_of(4, -1);
-    generator g = {.shape = 0, .count = 20000, .region_max = {1, 1, 1}, .spacing = {0.02, 0.02, 0.02},
+    generator g = {.shape = 0,
+                   .count = 20000,
+                   .region_max = {1, 1, 1},
+                   .spacing = {0.02, 0.02, 0.02},
                    .orientation = ORIENT_RANDOM};
     scene_place_grid(&f.reader, &c, f.node, &g, 0);
     assert_int_equal(c.count, g.count);
@@ -156,8 +160,12 @@ static void jitter_keeps_bodies_apart(void **state) {
     fixture f;
     fixture_open(&f);
     crowd c = crowd_of(11, -1);
-    generator g = {.shape = 1, .region_min = {0, 0, 0}, .region_max = {0.1, 0.08, 0.07},
-                   .spacing = {0.015, 0.0137, 0.016}, .jitter = 1, .orientation = ORIENT_RANDOM};
+    generator g = {.shape = 1,
+                   .region_min = {0, 0, 0},
+                   .region_max = {0.1, 0.08, 0.07},
+                   .spacing = {0.015, 0.0137, 0.016},
+                   .jitter = 1,
+                   .orientation = ORIENT_RANDOM};
     scene_place_grid(&f.reader, &c, f.node, &g, 0);
     assert_int_equal(f.faults.errors, 0);
     assert_int_equal(c.count, 6 * 5 * 4);

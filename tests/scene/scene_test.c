@@ -1,4 +1,5 @@
-/* scene_test.c - a scene with every key set, read back; defaults; --set; the reference in the README. */
+/* scene_test.c - a scene with every key set, read back; defaults; --set; the reference in the
+ * README. */
 #include "tests/scene/testing.h"
 
 #include "experiments/scene/build.h"
@@ -39,8 +40,11 @@ static void open_draft(opened *o, const char *path) {
     const tree_node *root = scene_tree_load(&o->arena, &o->faults, text, strlen(text));
     assert_non_null(root);
     o->parameters = scene_parameters_read(&o->arena, &o->faults, root);
-    scene_reader reader = {.arena = &o->arena, .faults = &o->faults, .parameters = &o->parameters,
-                           .root = root, .folder = CLAST_SCENES "/"};
+    scene_reader reader = {.arena = &o->arena,
+                           .faults = &o->faults,
+                           .parameters = &o->parameters,
+                           .root = root,
+                           .folder = CLAST_SCENES "/"};
     scene_read(&reader, &o->draft);
     scene_check(&reader, &o->draft);
     assert_int_equal(o->faults.count, 0);
@@ -170,7 +174,8 @@ static void bodies_are_placed(void **state) {
     size_t ball = slot_of(&b, 0), rod = slot_of(&b, 1), last = slot_of(&b, (uint32_t)b.count - 1);
     SAME(b.z[ball], 1.5);
     assert_true(fabs(b.qw[ball] - cos(15 * 0.017453292519943295)) < 1e-15);
-    assert_true(fabs(b.vx[ball] - 1) < 1e-4 && fabs(b.wy[ball] - 120 * 6.283185307179586 / 60) < 1e-4);
+    assert_true(fabs(b.vx[ball] - 1) < 1e-4 &&
+                fabs(b.wy[ball] - 120 * 6.283185307179586 / 60) < 1e-4);
     assert_true(fabs(b.qw[rod] - 0.6) < 1e-15 && fabs(b.qy[rod] - 0.8) < 1e-15);
     assert_int_equal(b.shape[last], 2);
     SAME(b.x[last], 0.6);

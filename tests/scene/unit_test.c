@@ -1,4 +1,4 @@
-/* unit_test.c - values with units against their SI numbers, to the last bit, and what is refused. */
+/* unit_test.c - values with units against their SI numbers, to the last bit; what is refused. */
 #include "tests/scene/testing.h"
 
 #include "experiments/scene/unit.h"
@@ -33,8 +33,8 @@ static void check_good(const good_row *rows, size_t count) {
         unit_value v;
         char why[UNIT_TEXT];
         if (!unit_parse(rows[i].text, &SCOPE, &v, why)) fail_msg("%s: %s", rows[i].text, why);
-        bool same = unit_same(v.dimension, (unit_dimension){rows[i].metre, rows[i].kilogram,
-                                                            rows[i].second});
+        bool same = unit_same(v.dimension,
+                              (unit_dimension){rows[i].metre, rows[i].kilogram, rows[i].second});
         if (v.value != rows[i].value || !same)
             fail_msg("%s: got %.17g m^%d kg^%d s^%d, expected %.17g", rows[i].text, v.value,
                      v.dimension.metre, v.dimension.kilogram, v.dimension.second, rows[i].value);
@@ -46,33 +46,33 @@ static void check_good(const good_row *rows, size_t count) {
 static void every_unit_has_its_si_value(void **state) {
     (void)state;
     static const good_row ROWS[] = {
-        {"6.9 m", 6.9, 1, 0, 0},          {"6.9 dm", 0.69, 1, 0, 0},
-        {"6.9 cm", 0.069, 1, 0, 0},       {"6.9 mm", 0.0069, 1, 0, 0},
-        {"6.9 um", 6.9e-6, 1, 0, 0},      {"6.9 nm", 6.9e-9, 1, 0, 0},
-        {"6.9 pm", 6.9e-12, 1, 0, 0},     {"6.9 km", 6900, 1, 0, 0},
-        {"10 in", 0.254, 1, 0, 0},        {"10 ft", 3.048, 1, 0, 0},
-        {"0.332 g", 0.000332, 0, 1, 0},   {"0.332 kg", 0.332, 0, 1, 0},
-        {"0.332 mg", 3.32e-7, 0, 1, 0},   {"0.332 t", 332, 0, 1, 0},
-        {"0.332 ug", 3.32e-10, 0, 1, 0},  {"1 lb", 0.45359237, 0, 1, 0},
-        {"4.7 s", 4.7, 0, 0, 1},          {"4.7 ms", 0.0047, 0, 0, 1},
-        {"4.7 us", 4.7e-6, 0, 0, 1},      {"4.7 ns", 4.7e-9, 0, 0, 1},
-        {"3 min", 180, 0, 0, 1},          {"3 h", 10800, 0, 0, 1},
-        {"2 d", 172800, 0, 0, 1},         {"13 Hz", 13, 0, 0, -1},
-        {"1.3 kHz", 1300, 0, 0, -1},      {"1.3 MHz", 1.3e6, 0, 0, -1},
-        {"0.7 rad", 0.7, 0, 0, 0},        {"0.7 mrad", 0.0007, 0, 0, 0},
-        {"180 deg", PI, 0, 0, 0},         {"90 \u00b0", PI / 2, 0, 0, 0},
-        {"60 rpm", 2 * PI, 0, 0, -1},     {"7 N", 7, 1, 1, -2},
-        {"7.3 kN", 7300, 1, 1, -2},       {"7.3 mN", 0.0073, 1, 1, -2},
-        {"7.3 uN", 7.3e-6, 1, 1, -2},     {"7.3 MN", 7.3e6, 1, 1, -2},
-        {"1.7 Nm", 1.7, 2, 1, -2},        {"1.7 N m", 1.7, 2, 1, -2},
-        {"3.3 Pa", 3.3, -1, 1, -2},       {"3.3 kPa", 3300, -1, 1, -2},
-        {"3.3 MPa", 3.3e6, -1, 1, -2},    {"3.3 GPa", 3.3e9, -1, 1, -2},
-        {"3.3 hPa", 330, -1, 1, -2},      {"1.1 bar", 110000, -1, 1, -2},
-        {"1.1 mbar", 110, -1, 1, -2},     {"2.3 J", 2.3, 2, 1, -2},
-        {"2.3 mJ", 0.0023, 2, 1, -2},     {"2.3 uJ", 2.3e-6, 2, 1, -2},
-        {"2.3 W", 2.3, 2, 1, -3},         {"2.3 kW", 2300, 2, 1, -3},
-        {"2.3 L", 0.0023, 3, 0, 0},       {"2.3 ml", 2.3e-6, 3, 0, 0},
-        {"37 %", 0.37, 0, 0, 0},          {"2 pi", 2 * PI, 0, 0, 0},
+        {"6.9 m", 6.9, 1, 0, 0},         {"6.9 dm", 0.69, 1, 0, 0},
+        {"6.9 cm", 0.069, 1, 0, 0},      {"6.9 mm", 0.0069, 1, 0, 0},
+        {"6.9 um", 6.9e-6, 1, 0, 0},     {"6.9 nm", 6.9e-9, 1, 0, 0},
+        {"6.9 pm", 6.9e-12, 1, 0, 0},    {"6.9 km", 6900, 1, 0, 0},
+        {"10 in", 0.254, 1, 0, 0},       {"10 ft", 3.048, 1, 0, 0},
+        {"0.332 g", 0.000332, 0, 1, 0},  {"0.332 kg", 0.332, 0, 1, 0},
+        {"0.332 mg", 3.32e-7, 0, 1, 0},  {"0.332 t", 332, 0, 1, 0},
+        {"0.332 ug", 3.32e-10, 0, 1, 0}, {"1 lb", 0.45359237, 0, 1, 0},
+        {"4.7 s", 4.7, 0, 0, 1},         {"4.7 ms", 0.0047, 0, 0, 1},
+        {"4.7 us", 4.7e-6, 0, 0, 1},     {"4.7 ns", 4.7e-9, 0, 0, 1},
+        {"3 min", 180, 0, 0, 1},         {"3 h", 10800, 0, 0, 1},
+        {"2 d", 172800, 0, 0, 1},        {"13 Hz", 13, 0, 0, -1},
+        {"1.3 kHz", 1300, 0, 0, -1},     {"1.3 MHz", 1.3e6, 0, 0, -1},
+        {"0.7 rad", 0.7, 0, 0, 0},       {"0.7 mrad", 0.0007, 0, 0, 0},
+        {"180 deg", PI, 0, 0, 0},        {"90 \u00b0", PI / 2, 0, 0, 0},
+        {"60 rpm", 2 * PI, 0, 0, -1},    {"7 N", 7, 1, 1, -2},
+        {"7.3 kN", 7300, 1, 1, -2},      {"7.3 mN", 0.0073, 1, 1, -2},
+        {"7.3 uN", 7.3e-6, 1, 1, -2},    {"7.3 MN", 7.3e6, 1, 1, -2},
+        {"1.7 Nm", 1.7, 2, 1, -2},       {"1.7 N m", 1.7, 2, 1, -2},
+        {"3.3 Pa", 3.3, -1, 1, -2},      {"3.3 kPa", 3300, -1, 1, -2},
+        {"3.3 MPa", 3.3e6, -1, 1, -2},   {"3.3 GPa", 3.3e9, -1, 1, -2},
+        {"3.3 hPa", 330, -1, 1, -2},     {"1.1 bar", 110000, -1, 1, -2},
+        {"1.1 mbar", 110, -1, 1, -2},    {"2.3 J", 2.3, 2, 1, -2},
+        {"2.3 mJ", 0.0023, 2, 1, -2},    {"2.3 uJ", 2.3e-6, 2, 1, -2},
+        {"2.3 W", 2.3, 2, 1, -3},        {"2.3 kW", 2300, 2, 1, -3},
+        {"2.3 L", 0.0023, 3, 0, 0},      {"2.3 ml", 2.3e-6, 3, 0, 0},
+        {"37 %", 0.37, 0, 0, 0},         {"2 pi", 2 * PI, 0, 0, 0},
     };
     CHECK_GOOD(ROWS);
 }
@@ -100,7 +100,9 @@ static void units_combine(void **state) {
         {"2 kg/(m s)", 2, -1, 1, -1},
         {"2 kg/m/s", 2, -1, 1, -1},
         {"3 \u00b5m", 3e-6, 1, 0, 0},
-        {"\u2212" "3 \u03bcm", -3e-6, 1, 0, 0},
+        {"\u2212"
+         "3 \u03bcm",
+         -3e-6, 1, 0, 0},
         {"1e3 mm", 1, 1, 0, 0},
         {"1.5E-2cm", 1.5e-4, 1, 0, 0},
         {"5cm", 0.05, 1, 0, 0},
@@ -156,8 +158,14 @@ static void a_bare_number_is_told_from_one_with_a_unit(void **state) {
     static const struct {
         const char *text;
         bool bare;
-    } ROWS[] = {{"3", true},           {"2*3 + 1", true},     {"3 mm", false}, {"30 deg", false},
-                {"10 cm/(4 mm)", false}, {"$mu_2*2", true}, {"5 %", false},  {"pi", true}};
+    } ROWS[] = {{"3", true},
+                {"2*3 + 1", true},
+                {"3 mm", false},
+                {"30 deg", false},
+                {"10 cm/(4 mm)", false},
+                {"$mu_2*2", true},
+                {"5 %", false},
+                {"pi", true}};
     for (size_t i = 0; i < sizeof ROWS / sizeof *ROWS; i++) {
         unit_value v;
         char why[UNIT_TEXT];
@@ -217,7 +225,8 @@ static void what_makes_no_sense_is_refused(void **state) {
         unit_value v;
         char why[UNIT_TEXT];
         if (unit_parse(ROWS[i].text, &SCOPE, &v, why)) fail_msg("%s: was accepted", ROWS[i].text);
-        if (strcmp(why, ROWS[i].why)) fail_msg("%s: '%s', not '%s'", ROWS[i].text, why, ROWS[i].why);
+        if (strcmp(why, ROWS[i].why))
+            fail_msg("%s: '%s', not '%s'", ROWS[i].text, why, ROWS[i].why);
     }
 }
 
