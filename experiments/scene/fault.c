@@ -4,6 +4,8 @@
 #include <string.h>
 #include <strings.h>
 
+enum { SHOWN_MAX = 500 }; /* a wrong word in 20 000 bodies need not be read 20 000 times */
+
 /* The same mistake reached twice (through a YAML alias, say) is one fault. */
 static bool known(const scene_faults *faults, const scene_fault *fault) {
     for (int i = 0; i < faults->count; i++) {
@@ -67,7 +69,8 @@ char *scene_faults_text(const scene_faults *faults) {
     if (faults->count == 0) return NULL;
     qsort(faults->items, (size_t)faults->count, sizeof *faults->items, compare);
     scene_buffer out = {0};
-    for (int i = 0; i < faults->count; i++) {
+    int shown = faults->count < SHOWN_MAX ? faults->count : SHOWN_MAX;
+    for (int i = 0; i < shown; i++) {
         const scene_fault *fault = &faults->items[i];
         scene_append(&out, "%s:", fault->file);
         if (fault->line > 0) scene_append(&out, "%d:", fault->line);
@@ -75,6 +78,8 @@ char *scene_faults_text(const scene_faults *faults) {
         if (fault->key[0]) scene_append(&out, " %s:", fault->key);
         scene_append(&out, " %s\n", fault->text);
     }
+    if (shown < faults->count)
+        scene_append(&out, "%s: ... and %d more\n", faults->file, faults->count - shown);
     return out.text;
 }
 

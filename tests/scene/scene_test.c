@@ -328,6 +328,55 @@ static void the_readme_has_the_reference(void **state) {
     free(readme);
 }
 
+static void settled_text(char *text, size_t room, const char *bodies) {
+    char *small = read_all(SMALL, NULL);
+    *strstr(small, "bodies:") = '\0';
+    snprintf(text, room, "%sbodies:\n%stime: {end: 1 s}\n", small, bodies);
+    free(small);
+}
+
+/* Bodies of an earlier run keep their ids and motion, and later entries keep clear of them. */
+static void bodies_are_inherited(void **state) {
+    (void)state;
+    static const char FOLDER[] = CLAST_SCENE_SCRATCH, PATH[] = CLAST_SCENE_SCRATCH "/from.yaml";
+    char text[3000], bodies[1000];
+    scene *first = load(SMALL, NULL, 0);
+    assert_int_equal(clast_world_run(first->world, 0.01), CLAST_OK);
+    assert_int_equal(
+        clast_checkpoint_save(first->world, CLAST_SCENE_SCRATCH "/checkpoint.h5", NULL), CLAST_OK);
+    snprintf(bodies, sizeof bodies,
+             "  - {from: %s}\n"
+             "  - {random: {shape: ball, count: 30, region: {min: [-4 cm, -4 cm, 5 cm], "
+             "max: [4 cm, 4 cm, 15 cm]}}}\n",
+             FOLDER);
+    settled_text(text, sizeof text, bodies);
+    write_all(PATH, text, strlen(text));
+    scene *second = load(PATH, NULL, 0);
+    clast_bodies old = clast_world_bodies(first->world), new = clast_world_bodies(second->world);
+    size_t slot = slot_of(&new, 0);
+    assert_int_equal(new.count, 31);
+    SAME(new.z[slot], old.z[0]);
+    assert_true(new.vz[slot] < -0.09);
+    for (size_t i = 0; i < new.count; i++) {
+        double dx = new.x[i] - new.x[slot], dy = new.y[i] - new.y[slot],
+               dz = new.z[i] - new.z[slot];
+        assert_true(i == slot || dx * dx + dy * dy + dz * dz >= 0.01 * 0.01);
+    }
+    scene_free(first);
+    scene_free(second);
+}
+
+static void another_shape_cannot_be_inherited(void **state) {
+    (void)state;
+    char text[3000], *faults = NULL;
+    settled_text(text, sizeof text, "  - {from: checkpoint.h5}\n");
+    memcpy(strstr(text, "radius: 5 mm"), "radius: 6 mm", 12);
+    write_all(CLAST_SCENE_SCRATCH "/other.yaml", text, strlen(text));
+    assert_null(scene_load(CLAST_SCENE_SCRATCH "/other.yaml", NULL, &faults));
+    assert_non_null(strstr(faults, "other.yaml:12: bodies[0].from: "));
+    free(faults);
+}
+
 /* The first block of the README is a scene that works. */
 static void the_example_of_the_readme_is_a_scene(void **state) {
     (void)state;
@@ -381,6 +430,8 @@ int main(void) {
         cmocka_unit_test(set_is_checked),
         cmocka_unit_test(options_win_over_the_scene),
         cmocka_unit_test(the_readme_has_the_reference),
+        cmocka_unit_test(bodies_are_inherited),
+        cmocka_unit_test(another_shape_cannot_be_inherited),
         cmocka_unit_test(the_example_of_the_readme_is_a_scene),
         cmocka_unit_test(a_pair_rebounds_as_it_was_asked),
         cmocka_unit_test(fitted_shapes_can_be_refitted),
