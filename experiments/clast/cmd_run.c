@@ -1,5 +1,8 @@
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "experiments/clast/commands.h"
 #include "experiments/clast/options.h"
@@ -76,6 +79,10 @@ int cmd_run(int argc, char **argv) {
     }
     arguments a = {0};
     if (!read_arguments(argc, argv, &a)) return CLAST_EXIT_USAGE;
+    if (access(a.scene, R_OK) != 0) {
+        fprintf(stderr, "clast run: %s: cannot be opened: %s\n", a.scene, strerror(errno));
+        return CLAST_EXIT_FILE;
+    }
     char *faults = NULL;
     scene *s = scene_load(a.scene, &a.load, &faults);
     if (faults) fputs(faults, stderr);

@@ -64,9 +64,10 @@ static void print_every(const char *what, double every) {
 void report_plan(const scene *s, const run_options *o) {
     clast_plan p = clast_world_plan(s->world);
     clast_counters c = clast_world_counters(s->world);
-    printf("scene   %s: %zu bodies, %zu spheres, %d walls in %d parts\n",
+    int walls = clast_world_wall_count(s->world), parts = clast_world_part_count(s->world);
+    printf("scene   %s: %zu bodies, %zu spheres, %d wall%s in %d part%s\n",
            s->title && s->title[0] ? s->title : "untitled", c.bodies, c.spheres,
-           clast_world_wall_count(s->world), clast_world_part_count(s->world));
+           walls, walls == 1 ? "" : "s", parts, parts == 1 ? "" : "s");
     printf("step    %.4g s: %.3g per contact at %.3g m/s (Rayleigh %.3g s, critical %.3g s)\n",
            p.time_step, p.resolution, p.impact_speed, p.rayleigh_step, p.critical_step);
     printf("kernel  %s; %s, %d thread%s\n", p.kernel ? p.kernel : "general", p.isa ? p.isa : "?",

@@ -1,0 +1,135 @@
+#include "experiments/clast/stage_walls.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/check.h"
+
+typedef struct polygon {
+    int count;
+    double at[WALL_VERTICES][3];
+} polygon;
+
+static void to_array(clast_vec3 v, double out[3]) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static polygon plate_polygon(const stage_wall *w, const double centre[3]) {
+    polygon p = {.count = 4};
+    double n[3], u[3], v[3];
+    to_array(w->normal, n);
+    to_array(w->side, u);
+    cross(n, u, v);
+    static const int SIGNS[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            p.at[i][k] = centre[k] + SIGNS[i][0] * w->half_side[0] * u[k] +
+                         SIGNS[i][1] * w->half_side[1] * v[k];
+    return p;
+}
+
+/* Where the twelve edges of a box cross a plane: at most six points, in no order yet. */
+static polygon crossings(const double point[3], const double n[3], const double low[3],
+                         const double high[3]) {
+    polygon p = {0};
+    for (int axis = 0; axis < 3; axis++)
+        for (int corner = 0; corner < 4 && p.count < WALL_VERTICES; corner++) {
+            double from[3], to[3];
+            int b = (axis + 1) % 3, c = (axis + 2) % 3;
+            from[axis] = low[axis], to[axis] = high[axis];
+            from[b] = to[b] = corner & 1 ? high[b] : low[b];
+            from[c] = to[c] = corner & 2 ? high[c] : low[c];
+            double d0 = dot(from, n) - dot(point, n), d1 = dot(to, n) - dot(point, n);
+            if ((d0 < 0) == (d1 < 0)) continue;
+            double t = d0 / (d0 - d1);
+            for (int k = 0; k < 3; k++) p.at[p.count][k] = from[k] + t * (to[k] - from[k]);
+            p.count++;
+        }
+    return p;
+}
+
+/* Puts the points in the order of their angle about their middle. */
+static void sort_round(polygon *p, const double n[3]) {
+    double middle[3] = {0}, u[3], v[3], angle[WALL_VERTICES];
+    for (int i = 0; i < p->count; i++)
+        for (int k = 0; k < 3; k++) middle[k] += p->at[i][k] / p->count;
+    for (int k = 0; k < 3; k++) u[k] = p->at[0][k] - middle[k];
+    cross(n, u, v);
+    for (int i = 0; i < p->count; i++) {
+        double arm[3];
+        for (int k = 0; k < 3; k++) arm[k] = p->at[i][k] - middle[k];
+        angle[i] = atan2(dot(arm, v), dot(arm, u));
+    }
+    for (int i = 1; i < p->count; i++)
+        for (int j = i; j > 0 && angle[j] < angle[j - 1]; j--) {
+            double a = angle[j], at[3];
+            angle[j] = angle[j - 1], angle[j - 1] = a;
+            memcpy(at, p->at[j], sizeof at);
+            memcpy(p->at[j], p->at[j - 1], sizeof at);
+            memcpy(p->at[j - 1], at, sizeof at);
+        }
+}
+
+/* A plane that lies in a face of the box would meet it by chance of rounding: it is cut by a slightly
+ * larger box. */
+static polygon plane_polygon(const stage_wall *w, const double point[3], const double low[3],
+                             const double high[3]) {
+    double n[3], wide_low[3], wide_high[3];
+    to_array(w->normal, n);
+    for (int k = 0; k < 3; k++) {
+        double more = 1e-3 * (high[k] - low[k]);
+        wide_low[k] = low[k] - more, wide_high[k] = high[k] + more;
+    }
+    polygon p = crossings(point, n, wide_low, wide_high);
+    if (p.count >= 3) sort_round(&p, n);
+    return p;
+}
+
+/* A fan of triangles. */
+static void add_surface(wall_surfaces *w, const polygon *p) {
+    size_t i = w->count++;
+    double *vertices = w->vertices + i * WALL_VERTICES * 3;
+    uint32_t *indices = w->indices + i * WALL_FACES * 3;
+    memcpy(vertices, p->at, sizeof p->at);
+    for (uint32_t f = 0; (int)f < p->count - 2; f++)
+        indices[3 * f] = 0, indices[3 * f + 1] = f + 1, indices[3 * f + 2] = f + 2;
+    w->walls[i] = (render_walls){.vertex_count = (size_t)p->count, .vertex = vertices,
+                                 .face_count = (size_t)(p->count - 2), .corners = 3,
+                                 .index = indices, .colour = {120, 140, 170}, .opacity = 0.15,
+                                 .edge_px = 1.5, .edge_colour = {70, 80, 95}};
+}
+
+void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
+                      const double high[3]) {
+    CLAST_ASSERT(w && s);
+    if (!w->walls) {
+        w->walls = calloc(s->wall_count + 1, sizeof *w->walls);
+        w->vertices = calloc(s->wall_count + 1, WALL_VERTICES * 3 * sizeof *w->vertices);
+        w->indices = calloc(s->wall_count + 1, WALL_FACES * 3 * sizeof *w->indices);
+        CLAST_ASSERT(w->walls && w->vertices && w->indices);
+    }
+    w->count = 0;
+    for (size_t i = 0; i < s->wall_count; i++) {
+        const stage_wall *l = &s->walls[i];
+        clast_vec3 offset;
+        if (!stage_wall_offset(l, time, &offset)) continue;
+        double at[3] = {l->point.x + offset.x, l->point.y + offset.y, l->point.z + offset.z};
+        polygon p = l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at)
+                                                : plane_polygon(l, at, low, high);
+        if (p.count >= 3) add_surface(w, &p);
+    }
+}
+
+void wall_surfaces_free(wall_surfaces *w) {
+    free(w->walls), free(w->vertices), free(w->indices);
+    *w = (wall_surfaces){0};
+}
