@@ -100,6 +100,13 @@ int jobs_processes(void) {
     return n < 1 ? 1 : n > 64 ? 64 : (int)n;
 }
 
+/* Jobs of the same folder are the same job: only the first of them is started. */
+static int twin_before(const job *jobs, int which) {
+    for (int i = 0; i < which; i++)
+        if (!strcmp(jobs[i].folder, jobs[which].folder)) return i;
+    return -1;
+}
+
 static double seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
@@ -142,15 +149,17 @@ static int reap(pool *p, bool *well) {
 
 int jobs_run(job *jobs, int count, int processes, const char *what) {
     pool p = {.running = 0};
-    int done = 0, failed = 0, fresh = 0, next = 0;
+    int done = 0, failed = 0, fresh = 0, next = 0, total = 0;
     double since = seconds();
     for (int i = 0; i < count; i++) {
         jobs[i].done = run_is_finished(jobs[i].folder, &jobs[i].hash);
+        if (twin_before(jobs, i) >= 0) continue;
         done += jobs[i].done;
+        total++;
     }
-    progress(what, done, count, 0, since);
+    progress(what, done, total, 0, since);
     while (p.running > 0 || next < count) {
-        while (next < count && jobs[next].done) next++;
+        while (next < count && (jobs[next].done || twin_before(jobs, next) >= 0)) next++;
         if (next < count && p.running < processes) {
             p.child[p.running] = start(&jobs[next]);
             p.job[p.running++] = next++;
@@ -162,7 +171,11 @@ int jobs_run(job *jobs, int count, int processes, const char *what) {
         j->done = well && run_is_finished(j->folder, &j->hash);
         failed += !j->done;
         fresh++;
-        progress(what, ++done, count, fresh, since);
+        progress(what, ++done, total, fresh, since);
+    }
+    for (int i = 0; i < count; i++) {
+        int twin = twin_before(jobs, i);
+        if (twin >= 0) jobs[i].done = jobs[twin].done, jobs[i].hash = jobs[twin].hash;
     }
     return failed;
 }

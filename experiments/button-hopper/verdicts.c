@@ -1,0 +1,107 @@
+/* verdicts.c - every number that the source prints, ours beside it. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "experiments/button-hopper/hopper.h"
+#include "experiments/study/published.h"
+#include "experiments/study/verdict.h"
+
+static published_table *read_table(void) {
+    char why[PUBLISHED_ERROR_MAX];
+    published_table *t = published_read(SCENES "/published.csv", why);
+    if (!t) {
+        fprintf(stderr, "%s\n", why);
+        exit(4);
+    }
+    return t;
+}
+
+static const published *need(const published_table *t, const char *quantity) {
+    const published *p = published_find(t, quantity);
+    if (!p) {
+        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
+        exit(4);
+    }
+    return p;
+}
+
+/* "rate 6.5 cm" and the like. */
+static const published *need_at(const published_table *t, const char *what, int orifice) {
+    char name[80];
+    snprintf(name, sizeof name, "%s %g cm", what, ORIFICE_CM[orifice]);
+    return need(t, name);
+}
+
+hopper_published hopper_read_published(void) {
+    published_table *t = read_table();
+    hopper_published p;
+    for (int d = 0; d < ORIFICES; d++) {
+        const published *q = need_at(t, "rate", d), *rho = need_at(t, "bulk density", d),
+                        *c = need_at(t, "C", d);
+        p.q_experiment[d] = q->experiment, p.q_thesis[d] = q->thesis;
+        p.rho_experiment[d] = rho->experiment, p.rho_thesis[d] = rho->thesis;
+        p.c_experiment[d] = c->experiment, p.c_thesis[d] = c->thesis;
+    }
+    published_free(t);
+    return p;
+}
+
+static interval nothing(void) { return mean_interval(NULL, 0); }
+
+static void add_orifices(verdict_table *v, const published_table *t, const hopper_summary *m,
+                         const hopper_study *s) {
+    for (int d = 0; d < ORIFICES; d++)
+        verdict_published(v, need_at(t, "rate", d), m->mean[FRICTIONLESS][d].q, s->size->orifice[d]);
+    for (int d = 0; d < ORIFICES; d++)
+        verdict_published(v, need_at(t, "bulk density", d), m->mean[FRICTIONLESS][d].rho,
+                          s->size->orifice[d]);
+    for (int d = 0; d < ORIFICES; d++)
+        verdict_published(v, need_at(t, "C", d), m->mean[FRICTIONLESS][d].c, s->size->orifice[d]);
+}
+
+static void add_profiles(verdict_table *v, const published_table *t, const hopper_summary *m) {
+    static const int MEASURED[] = {2, 4};
+    for (int i = 0; i < 2; i++) {
+        const hopper_profile *p = &m->profile[MEASURED[i]];
+        bool have = p->v.n > 1;
+        interval b = have ? interval_exact(p->b_cm / BUTTON_DIAMETER) : nothing();
+        verdict_published(v, need_at(t, "velocity mean", MEASURED[i]), p->v, have);
+        verdict_published(v, need_at(t, "velocity sd", MEASURED[i]),
+                          have ? interval_exact(p->v.sd) : nothing(), have);
+        verdict_published(v, need_at(t, "B/d", MEASURED[i]), b, have);
+    }
+}
+
+/* What the source does not count, said all the same. */
+static void print_blocked(const hopper_summary *m) {
+    for (int fill = 0; fill < FILLS; fill++)
+        for (int d = 0; d < ORIFICES; d++) {
+            const hopper_mean *h = &m->mean[fill][d];
+            if (h->runs == 0) continue;
+            printf("%s, %g cm: %d runs, %d blocked, %d without a rate, %d with a temporary arch; rate"
+                   " at R2 0.98 / 0.99 / 0.995: %.1f / %.1f / %.1f g/s\n", FILL_NAME[fill],
+                   ORIFICE_CM[d], h->runs, h->blocked, h->runs - h->q.n, h->with_arch,
+                   h->q_r2[1].mean, h->q_r2[0].mean, h->q_r2[2].mean);
+        }
+}
+
+int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const char *folder) {
+    published_table *t = read_table();
+    verdict_table *v = verdict_new("button-hopper");
+    bool frictional = s->size->replicates[FRICTIONAL] > 0;
+    verdict_published(v, need(t, "mean rate error"), m->error_percent, true);
+    verdict_published(v, need(t, "solid fraction at rest, frictionless"), m->rest[FRICTIONLESS], true);
+    verdict_published(v, need(t, "solid fraction at rest, frictional"), m->rest[FRICTIONAL], frictional);
+    verdict_published(v, need(t, "mean C"), m->c_all, true);
+    verdict_published(v, need(t, "kd"), (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n}, true);
+    verdict_published(v, need(t, "k"), (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n}, true);
+    add_orifices(v, t, m, s);
+    add_profiles(v, t, m);
+    print_blocked(m);
+    printf("largest energy residual of a discharge: %.2g of the energy put in\n", m->worst_residual);
+    int code = verdict_finish(v, folder, stdout);
+    verdict_free(v);
+    published_free(t);
+    return code;
+}
