@@ -42,7 +42,10 @@ static clast_world *world_of(const collision *c, double dt) {
     def.max_residual = 1e9;
     def.max_displacement = 1e3;
     clast_world *w = new_world(&def);
-    two_materials m = add_materials(w, &c->pair);
+    clast_pair_def elastic = c->pair; /* of pairs that do not meet: needs no solving */
+    elastic.restitution = 1;
+    two_materials m = add_materials(w, &elastic);
+    assert_int_equal(clast_pair_set(w, m.soft, m.hard, &c->pair), CLAST_OK);
     int a = clast_shape_add_sphere(w, "a", c->radius_a, m.soft);
     int b = clast_shape_add_sphere(w, "b", c->radius_b, m.hard);
     double vn = c->speed * cos(c->angle), vt = c->speed * sin(c->angle), gap = vn * dt * (1 + c->phase);
@@ -86,7 +89,8 @@ rebound collide(const collision *given) {
         if (touching) touched = true, r.duration += dt, r.overlap_max = fmax(r.overlap_max, k.overlap);
         if (touched && !touching) break;
     }
-    assert_true(touched && contact_count(w) == 0);
+    r.touched = touched;
+    assert_true(contact_count(w) == 0 && (touched || c.angle > 1.3)); /* grazing spheres may miss */
     body_state after = body_of(w, 0);
     r.restitution = normal_speed(w, &c) / (c.speed * cos(c.angle));
     r.energy_after = inner_energy(w, &c);

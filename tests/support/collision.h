@@ -19,6 +19,7 @@ typedef struct collision {
 } collision;
 
 typedef struct rebound {
+    bool touched;
     double restitution;        /* of the normal velocities */
     double energy_before, energy_after; /* J, in the frame of the centre of mass (plane: of the world) */
     double duration;           /* s, counted in whole steps */
