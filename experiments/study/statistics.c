@@ -10,7 +10,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* ---- means ----------------------------------------------------------------------------------------- */
+/* ---- means ----------------------------------------------------------------------------------- */
 
 interval mean_interval(const double *x, int n) {
     CLAST_ASSERT(n >= 0 && (x || n == 0));
@@ -23,9 +23,11 @@ interval mean_interval(const double *x, int n) {
     return r;
 }
 
-interval interval_exact(double value) { return (interval){value, NAN, NAN, 1}; }
+interval interval_exact(double value) {
+    return (interval){value, NAN, NAN, 1};
+}
 
-/* ---- straight lines -------------------------------------------------------------------------------- */
+/* ---- straight lines -------------------------------------------------------------------------- */
 
 fitted_line line_fit(const double *x, const double *y, int n) {
     CLAST_ASSERT(n >= 0 && ((x && y) || n == 0));
@@ -79,7 +81,7 @@ linear_window linear_part(const double *t, const double *m, int n, double r2_min
     return best;
 }
 
-/* ---- Beverloo -------------------------------------------------------------------------------------- */
+/* ---- Beverloo -------------------------------------------------------------------------------- */
 
 beverloo beverloo_fit(const double *D, const double *q, int n, double d) {
     CLAST_ASSERT(n >= 0 && ((D && q) || n == 0) && d > 0);
@@ -110,7 +112,7 @@ double beverloo_c(double q, double rho, double D, double kd, double d) {
     return q / (4 * sqrt(2) / PI * sqrt(g) * rho * d * pow(D - kd, 1.5));
 }
 
-/* ---- tests of two means ---------------------------------------------------------------------------- */
+/* ---- tests of two means ---------------------------------------------------------------------- */
 
 static t_test t_from(double difference, double error, double df) {
     if (error == 0)
@@ -145,7 +147,8 @@ equivalence equivalence_test(interval a, interval b, double margin) {
     double df, error = sqrt(welch(a, b, &df));
     equivalence r = {.difference = a.mean - b.mean, .df = df};
     if (error > 0)
-        r.p = gsl_cdf_tdist_Q((margin - fabs(r.difference)) / error, df); /* the nearer side decides */
+        r.p = gsl_cdf_tdist_Q((margin - fabs(r.difference)) / error,
+                              df); /* the nearer side decides */
     else
         r.p = fabs(r.difference) <= margin ? 0 : 1;
     if (isnan(r.difference)) r.p = NAN;
@@ -153,7 +156,7 @@ equivalence equivalence_test(interval a, interval b, double margin) {
     return r;
 }
 
-/* ---- arches ---------------------------------------------------------------------------------------- */
+/* ---- arches ---------------------------------------------------------------------------------- */
 
 arches arch_events(const double *t, const double *count, int n, double min_gap_s, arch *events,
                    int room) {

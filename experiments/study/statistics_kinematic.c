@@ -26,9 +26,9 @@ static double left_over(double ln_b, void *data) {
     return sum;
 }
 
-/* Fills b by Brent's method between the neighbours of the best point of a grid: the sum of squares of
- * scattered samples may have more than one dip. The search runs over ln B from profiles a thousandth as wide as
- * the samples reach to a hundred times as wide. */
+/* Fills b by Brent's method between the neighbours of the best point of a grid: the sum of squares
+ * of scattered samples may have more than one dip. The search runs over ln B from profiles a
+ * thousandth as wide as the samples reach to a hundred times as wide. */
 static bool search(profile *p, double *ln_b) {
     enum { POINTS = 400 };
     double reach = 0;
@@ -42,7 +42,8 @@ static bool search(profile *p, double *ln_b) {
     if (best == 0 || best == POINTS) return false;
     double a = low + (best - 1) * step, b = low + best * step, c = low + (best + 1) * step;
     *ln_b = b;
-    double at_b = left_over(b, p); /* a valley that flat needs no Brent, who insists on a strict one */
+    double at_b =
+        left_over(b, p); /* a valley that flat needs no Brent, who insists on a strict one */
     if (!(left_over(a, p) > at_b && left_over(c, p) > at_b)) return true;
     gsl_function f = {left_over, p};
     gsl_min_fminimizer *s = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
@@ -76,7 +77,7 @@ kinematic kinematic_fit(const double *x, const double *v, int n, double h, doubl
     return r;
 }
 
-/* ---- both v0 and B free ---------------------------------------------------------------------------- */
+/* ---- both v0 and B free ---------------------------------------------------------------------- */
 
 /* Parameters: v0 and ln B, so that B stays positive. */
 static int residuals(const gsl_vector *at, void *data, gsl_vector *out) {
@@ -128,8 +129,7 @@ kinematic kinematic_fit_free(const double *x, const double *v, int n, double h, 
     double guess[2] = {v0_start, log(start.b)};
     gsl_vector_const_view at = gsl_vector_const_view_array(guess, 2);
     int why, status = gsl_multifit_nlinear_init(&at.vector, &f, w);
-    if (!status)
-        status = gsl_multifit_nlinear_driver(200, 1e-10, 1e-10, 0, NULL, NULL, &why, w);
+    if (!status) status = gsl_multifit_nlinear_driver(200, 1e-10, 1e-10, 0, NULL, NULL, &why, w);
     if (!status) read_solution(w, &r);
     gsl_multifit_nlinear_free(w);
     return r;

@@ -1,5 +1,5 @@
-/* Statistics against the arithmetic of the source (A00 §4.3.2.5, Tables 4.4-4.7) and against answers
- * known beforehand. */
+/* Statistics against the arithmetic of the source (A00 §4.3.2.5, Tables 4.4-4.7) and against
+ * answers known beforehand. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,23 +11,24 @@
 #include "engine/clast.h"
 #include "experiments/study/statistics.h"
 
-#define NEAR(a, b, tolerance)                                                                          \
-    do {                                                                                               \
-        double a_ = (a), b_ = (b);                                                                     \
-        if (!(fabs(a_ - b_) <= (tolerance)))                                                           \
-            fail_msg("%s = %.10g, want %.10g within %g", #a, a_, b_, (double)(tolerance));             \
+#define NEAR(a, b, tolerance)                                                                      \
+    do {                                                                                           \
+        double a_ = (a), b_ = (b);                                                                 \
+        if (!(fabs(a_ - b_) <= (tolerance)))                                                       \
+            fail_msg("%s = %.10g, want %.10g within %g", #a, a_, b_, (double)(tolerance));         \
     } while (0)
 
 enum { ORIFICES = 5 };
 static const double D[ORIFICES] = {5, 6.5, 7.5, 8.5, 10};
-static const double q_exp[ORIFICES] = {52.91, 76.84, 103.75, 126.32, 168.85};  /* Table 4.4 */
-static const double q_sim[ORIFICES] = {41.95, 56.72, 108.96, 124.03, 169.56};  /* Table 4.5 */
-static const double rho_exp[ORIFICES] = {0.237, 0.23, 0.226, 0.226, 0.227};    /* Table 4.4 */
-static const double rho_sim[ORIFICES] = {0.217, 0.217, 0.215, 0.208, 0.205};   /* Table 4.5 */
+static const double q_exp[ORIFICES] = {52.91, 76.84, 103.75, 126.32, 168.85}; /* Table 4.4 */
+static const double q_sim[ORIFICES] = {41.95, 56.72, 108.96, 124.03, 169.56}; /* Table 4.5 */
+static const double rho_exp[ORIFICES] = {0.237, 0.23, 0.226, 0.226, 0.227};   /* Table 4.4 */
+static const double rho_sim[ORIFICES] = {0.217, 0.217, 0.215, 0.208, 0.205};  /* Table 4.5 */
 static const double c_exp[ORIFICES] = {0.39, 0.37, 0.40, 0.39, 0.40};
 static const double c_sim[ORIFICES] = {0.34, 0.30, 0.44, 0.41, 0.44};
 
-/* ---- the source's own numbers ---------------------------------------------------------------------- */
+/* ---- the source's own numbers
+ * ---------------------------------------------------------------------- */
 
 static void kd_of_the_thesis(void **state) {
     (void)state;
@@ -87,7 +88,7 @@ static void mean_error_of_the_thesis(void **state) {
     NEAR(mean_interval(error, ORIFICES).mean, 10.8, 0.05);
 }
 
-/* ---- known answers --------------------------------------------------------------------------------- */
+/* ---- known answers --------------------------------------------------------------------------- */
 
 static void mean_with_interval(void **state) {
     (void)state;
@@ -264,7 +265,8 @@ enum { PROFILE = 61 };
 static void profile_of(double x[PROFILE], double v[PROFILE], double v0, double b, double noise) {
     for (int i = 0; i < PROFILE; i++) {
         x[i] = -7.1 + 14.2 * i / (PROFILE - 1);
-        v[i] = v0 * exp(-x[i] * x[i] / (4 * b * 9)) + noise * (clast_random(5, 3, (uint64_t)i) - 0.5);
+        v[i] =
+            v0 * exp(-x[i] * x[i] / (4 * b * 9)) + noise * (clast_random(5, 3, (uint64_t)i) - 0.5);
     }
 }
 
@@ -272,7 +274,8 @@ static void kinematic_recovered(void **state) {
     (void)state;
     double x[PROFILE], v[PROFILE];
     profile_of(x, v, -0.43, 0.71, 0);
-    kinematic k = kinematic_fit(x, v, PROFILE, 9, -0.43), f = kinematic_fit_free(x, v, PROFILE, 9, -0.3);
+    kinematic k = kinematic_fit(x, v, PROFILE, 9, -0.43),
+              f = kinematic_fit_free(x, v, PROFILE, 9, -0.3);
     assert_true(k.found && f.found);
     NEAR(k.b, 0.71, 1e-6);
     NEAR(k.rms, 0, 1e-7);
@@ -332,7 +335,7 @@ static void arches_found(void **state) {
     assert_false(arch_is_permanent(&a, 0.15, 0)); /* only the heap is left */
     double left[12];
     for (int i = 0; i < 12; i++) left[i] = 200 - out[i];
-    assert_int_equal(arch_events(t, left, 12, 0.25, NULL, 0).n, 1); /* bodies left do as well */
+    assert_int_equal(arch_events(t, left, 12, 0.25, NULL, 0).n, 1);  /* bodies left do as well */
     assert_int_equal(arch_events(t, out, 12, 0.05, events, 1).n, 3); /* counted beyond the room */
     arches none = arch_events(t, out, 2, 0.25, NULL, 0);
     assert_true(none.n == 0 && isnan(none.last) && none.silent == 0.1);
