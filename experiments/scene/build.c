@@ -234,6 +234,8 @@ static void check_step(scene_reader *r, const scene_draft *d, const clast_world 
     else if (p.resolution < d->def.contact_resolution)
         scene_warn(r->faults, step->line, path, "%s, contact_resolution asks for %g", means,
                    d->def.contact_resolution);
+    else if (p.time_step > p.rayleigh_step && d->def.law != CLAST_LAW_LINEAR)
+        scene_warn(r->faults, step->line, path, "%s, expected at most 1 of that", means);
 }
 
 static void prepare(scene_reader *r, const scene_draft *d, const crowd *c, clast_world *w) {

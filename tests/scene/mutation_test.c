@@ -7,7 +7,6 @@
 #include "experiments/scene/scene.h"
 
 #include <time.h>
-#include <unistd.h>
 
 static uint64_t state_of_random;
 
@@ -73,36 +72,50 @@ static bool load_damaged(const char *path, long number) {
     return good;
 }
 
-static void damaged_scenes_end_in_faults_or_a_scene(void **state) {
-    (void)state;
-    long count = from_environment("CLAST_MUTATIONS", 1500), good = 0;
-    long seed = from_environment("CLAST_SEED", 1984);
-    size_t length;
-    char *scene_text = read_all(CLAST_SCENES "/good.yaml", &length);
-    char *csv = read_all(CLAST_SCENES "/start.csv", NULL), path[500];
-    print_message("seed %ld, %ld mutations\n", seed, count);
-    write_all(CLAST_SCENE_SCRATCH "/start.csv", csv, strlen(csv));
-    snprintf(path, sizeof path, "%s/damaged-%ld.yaml", CLAST_SCENE_SCRATCH, (long)getpid());
-    char *damaged = malloc(length + 1000);
+/* Damages one file of the two and loads the scene, many times. */
+static void damage(const char *victim, long count) {
+    long good = 0, seed = from_environment("CLAST_SEED", 1984);
+    char scene_path[] = CLAST_SCENE_SCRATCH "/damaged.yaml";
+    char csv_path[] = CLAST_SCENE_SCRATCH "/start.csv";
+    size_t lengths[2];
+    char *texts[2] = {read_all(CLAST_SCENES "/good.yaml", &lengths[0]),
+                      read_all(CLAST_SCENES "/start.csv", &lengths[1])};
+    write_all(scene_path, texts[0], lengths[0]);
+    write_all(csv_path, texts[1], lengths[1]);
+    int which = strcmp(victim, "scene") ? 1 : 0;
+    char *damaged = malloc(lengths[which] + 1000);
     assert_non_null(damaged);
     state_of_random = (uint64_t)seed;
+    print_message("seed %ld, %ld mutations of the %s\n", seed, count, victim);
     for (long n = 0; n < count; n++) {
-        size_t now = length;
-        memcpy(damaged, scene_text, length);
+        size_t now = lengths[which];
+        memcpy(damaged, texts[which], now);
         for (uint64_t changes = 1 + next(next(3) ? 1 : 8); changes > 0; changes--)
             mutate(damaged, &now);
-        write_all(path, damaged, now);
-        good += load_damaged(path, n);
+        write_all(which ? csv_path : scene_path, damaged, now);
+        good += load_damaged(scene_path, n);
     }
     print_message("%ld of them still made a scene\n", good);
     assert_true(good > 0 && good < count);
-    remove(path);
     free(damaged);
-    free(csv);
-    free(scene_text);
+    free(texts[0]);
+    free(texts[1]);
+}
+
+static void damaged_scenes_end_in_faults_or_a_scene(void **state) {
+    (void)state;
+    damage("scene", from_environment("CLAST_MUTATIONS", 1500));
+}
+
+static void damaged_tables_end_in_faults_or_a_scene(void **state) {
+    (void)state;
+    damage("table", from_environment("CLAST_MUTATIONS", 1500) / 3);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(damaged_scenes_end_in_faults_or_a_scene)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(damaged_scenes_end_in_faults_or_a_scene),
+        cmocka_unit_test(damaged_tables_end_in_faults_or_a_scene),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,6 +51,64 @@ static void open_draft(opened *o, const char *path) {
     free(text);
 }
 
+enum { KEYS_MAX = 400 };
+
+typedef struct key_set {
+    const scene_key *keys[KEYS_MAX];
+    int count;
+} key_set;
+
+static bool holds(const key_set *set, const scene_key *key) {
+    for (int i = 0; i < set->count; i++)
+        if (set->keys[i] == key) return true;
+    return false;
+}
+
+static void note(key_set *set, const scene_key *key) {
+    if (holds(set, key)) return;
+    assert_true(set->count < KEYS_MAX);
+    set->keys[set->count++] = key;
+}
+
+/* All keys of the tables, or, with a node, those that the scene sets. */
+static void walk(const key_section *section, const tree_node *node, bool used_only, key_set *set) {
+    for (int i = 0; i < section->count; i++) {
+        const scene_key *key = &section->keys[i];
+        const tree_node *value = tree_get(node, key->name);
+        if (used_only && !value) continue;
+        bool seen = holds(set, key);
+        note(set, key);
+        bool items = key->kind == KEY_NAMED || key->kind == KEY_LIST;
+        if (!key->section || (seen && !used_only)) continue;
+        if (!items || !used_only) walk(key->section, value, used_only, set);
+        for (const tree_node *entry = items && value ? value->first : NULL; entry;
+             entry = entry->next)
+            walk(key->section, entry, used_only, set);
+    }
+}
+
+/* A key that is added to the tables must be added to good.yaml, and so to these tests. */
+static void the_good_scene_has_every_key(void **state) {
+    (void)state;
+    static const char *const ELSEWHERE[] = {"from"}; /* needs a checkpoint: bodies_are_inherited */
+    static key_set all, used;
+    opened o;
+    open_draft(&o, GOOD);
+    const material_item *first = o.draft.materials.items;
+    walk(&SCHEMA_SCENE, NULL, false, &all);
+    walk(&SCHEMA_SCENE, first->item.node->parent->parent, true, &used);
+    int missing = 0;
+    for (int i = 0; i < all.count; i++) {
+        if (holds(&used, all.keys[i]) || !strcmp(all.keys[i]->name, ELSEWHERE[0])) continue;
+        print_message("good.yaml does not set '%s' (%s)\n", all.keys[i]->name,
+                      all.keys[i]->meaning);
+        missing++;
+    }
+    assert_true(all.count > 100);
+    assert_int_equal(missing, 0);
+    scene_arena_free(&o.arena);
+}
+
 static void materials_and_pairs_are_read(void **state) {
     (void)state;
     opened o;
@@ -79,8 +137,8 @@ static void generators_are_read(void **state) {
     opened o;
     open_draft(&o, GOOD);
     const body_item *b = o.draft.bodies.items;
-    assert_int_equal(o.draft.bodies.count, 6);
-    const generator *grid = &b[2].grid, *random = &b[4].random;
+    assert_int_equal(o.draft.bodies.count, 7);
+    const generator *grid = &b[2].grid, *random = &b[5].random;
     assert_int_equal(grid->shape, 0);
     assert_int_equal(grid->count, 7);
     same(grid->region_min, -0.1, 0, 0);
@@ -95,7 +153,14 @@ static void generators_are_read(void **state) {
     assert_int_equal(random->count, 11);
     assert_int_equal(random->attempts, 500);
     SAME(random->gap, 0.0005);
-    assert_int_equal(random->orientation, ORIENT_RANDOM);
+    assert_int_equal(random->orientation, ORIENT_FIXED);
+    SAME(random->turn.angle, 60 * 0.017453292519943295);
+    same(random->turn.axis, 0, 1, 0);
+    same(random->velocity, 0.002, 0, 0);
+    same(random->spin, 0, 3, 0);
+    assert_int_equal(b[4].hexagonal.count, 3);
+    SAME(b[3].hexagonal.jitter, 0.2);
+    same(b[3].hexagonal.spin, 0, 2, 0);
     scene_arena_free(&o.arena);
 }
 
@@ -418,6 +483,7 @@ static void fitted_shapes_can_be_refitted(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_good_scene_has_every_key),
         cmocka_unit_test(materials_and_pairs_are_read),
         cmocka_unit_test(generators_are_read),
         cmocka_unit_test(the_world_is_defined),
