@@ -21,7 +21,7 @@ static const char HELP[] =
     "  --quiet         print the last line alone\n\n"
     "The last line is the hash of the final state: the same for any number of threads, any --isa,\n"
     "and after any number of stops. Ctrl-C saves everything and ends with exit code 130.\n\n"
-    "example: clast run hopper.yaml --out build/hopper --set orifice=8.5e-2\n"
+    "example: clast run hopper.yaml --out build/hopper --set orifice='8.5 cm'\n"
     "         clast run hopper.yaml --out build/hopper --resume --until 5\n";
 
 typedef struct arguments {
