@@ -104,6 +104,10 @@ void spheres_layout(clast_world *w) {
 }
 
 void spheres_place(clast_world *w, size_t body_begin, size_t body_end) {
+    if (w->def.motion == CLAST_MOTION_IN_PLANE) {
+        plane_place_spheres(w, body_begin, body_end);
+        return;
+    }
     sphere_store *s = &w->spheres;
     for (size_t i = body_begin; i < body_end; i++) {
         const shape *sh = &w->shapes[w->bodies.shape[i]];

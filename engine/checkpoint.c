@@ -1,10 +1,10 @@
 /* checkpoint.c - saving a world and going on from there.
  *
  * At a step boundary a world is: positions at n, velocities at n - 1/2, contact histories with the
- * forces at n, ledger, clock. Everything else (pair list, cells, skin, positions of walls) is derived
- * or unobservable. The file also holds the scene as plain lines, so that a checkpoint of another scene
- * is refused with the first line that differs, and the hash of the state, so that a damaged file is
- * refused too. */
+ * forces at n, ledger, clock. Everything else (pair list, cells, skin, positions of walls) is
+ * derived or unobservable. The file also holds the scene as plain lines, so that a checkpoint of
+ * another scene is refused with the first line that differs, and the hash of the state, so that a
+ * damaged file is refused too. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ enum { FORMAT_VERSION = 1 };
 enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };
 _Static_assert(sizeof(ledger) % sizeof(double) == 0, "the ledger is saved as a row of doubles");
 
-#define TYPE_OF(type) _Generic((type){0}, uint32_t: H5_U32, int32_t: H5_I32, double: H5_F64)
+#define TYPE_OF(type) _Generic((type){0}, uint32_t : H5_U32, int32_t : H5_I32, double : H5_F64)
 
 /* What a file holds, before it is checked against a world. */
 typedef struct saved {
@@ -37,7 +37,7 @@ typedef struct saved {
 
 static const char *const NOW[] = {"/now/vx", "/now/vy", "/now/vz", "/now/wx", "/now/wy", "/now/wz"};
 
-/* ---- the scene in lines ---------------------------------------------------------------------------- */
+/* ---- the scene in lines ---------------------------------------------------------------------- */
 
 /* A text that grows; *all is malloc'ed and whole once it is closed. */
 static FILE *text_open(char **all) {
@@ -47,34 +47,36 @@ static FILE *text_open(char **all) {
     return t;
 }
 
-static void text_close(FILE *t) { CLAST_ASSERT(fclose(t) == 0); }
+static void text_close(FILE *t) {
+    CLAST_ASSERT(fclose(t) == 0);
+}
 
 static void describe_world(FILE *t, const clast_world *w) {
     const clast_world_def *d = &w->def;
     fprintf(t, "bodies added %u\n", w->next_id);
     fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
     fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
-             (int)d->unloading);
+            (int)d->unloading);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
     fprintf(t, "global damping %.17g\n", d->global_damping);
     fprintf(t, "time step %.17g\n", w->dt);
     fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
-             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
-             (int)d->outside);
+            d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
+            (int)d->outside);
     fprintf(t, "seed %llu\n", (unsigned long long)d->seed);
 }
 
 static void describe_materials(FILE *t, const clast_world *w) {
     for (int i = 0; i < w->material_count; i++)
         fprintf(t, "material %s density %.17g young %.17g poisson %.17g\n", w->materials[i].name,
-                 w->materials[i].density, w->materials[i].young, w->materials[i].poisson);
+                w->materials[i].density, w->materials[i].young, w->materials[i].poisson);
     for (int i = 0; i < w->material_count; i++)
         for (int j = i; j < w->material_count; j++) {
             const pair_coef *c = &w->coefs[i * w->material_count + j];
             if (!c->set) continue;
             fprintf(t, "pair %s %s restitution %.17g friction %.17g cohesion %.17g",
-                     w->materials[i].name, w->materials[j].name, c->restitution, c->friction,
-                     c->cohesion);
+                    w->materials[i].name, w->materials[j].name, c->restitution, c->friction,
+                    c->cohesion);
             fprintf(t, " stiffness %.17g tangential %.17g\n", c->stiffness, c->tangential);
         }
 }
@@ -82,10 +84,10 @@ static void describe_materials(FILE *t, const clast_world *w) {
 static void describe_shape(FILE *t, const clast_world *w, int index) {
     const shape *s = &w->shapes[index];
     fprintf(t, "shape %s material %s mass %.17g inertia %.17g %.17g %.17g spheres", s->name,
-             w->materials[s->material].name, s->mass, s->inertia.x, s->inertia.y, s->inertia.z);
+            w->materials[s->material].name, s->mass, s->inertia.x, s->inertia.y, s->inertia.z);
     for (int k = 0; k < s->spheres; k++)
         fprintf(t, " (%.17g %.17g %.17g r %.17g)", s->centre[k].x, s->centre[k].y, s->centre[k].z,
-                 s->radius[k]);
+                s->radius[k]);
     fprintf(t, "\n");
 }
 
@@ -93,19 +95,19 @@ static void describe_walls(FILE *t, const clast_world *w) {
     for (int i = 0; i < w->part_count; i++) {
         const clast_part_def *d = &w->parts[i].def;
         fprintf(t, "part %s velocity %.17g %.17g %.17g from %.17g until %.17g removed %.17g\n",
-                 w->parts[i].name, d->velocity.x, d->velocity.y, d->velocity.z, d->move_from,
-                 d->move_until, d->removed_at);
+                w->parts[i].name, d->velocity.x, d->velocity.y, d->velocity.z, d->move_from,
+                d->move_until, d->removed_at);
     }
     for (int i = 0; i < w->wall_count; i++) {
         const clast_wall_def *d = &w->walls[i].def;
         fprintf(t, "wall %s kind %d part %s material %s point %.17g %.17g %.17g", w->walls[i].name,
-                 (int)d->kind, w->parts[w->walls[i].part].name, w->materials[d->material].name,
-                 d->point.x, d->point.y, d->point.z);
+                (int)d->kind, w->parts[w->walls[i].part].name, w->materials[d->material].name,
+                d->point.x, d->point.y, d->point.z);
         fprintf(t, " normal %.17g %.17g %.17g side %.17g %.17g %.17g half %.17g %.17g", d->normal.x,
-                 d->normal.y, d->normal.z, d->side.x, d->side.y, d->side.z, d->half_side[0],
-                 d->half_side[1]);
+                d->normal.y, d->normal.z, d->side.x, d->side.y, d->side.z, d->half_side[0],
+                d->half_side[1]);
         fprintf(t, " belt %.17g %.17g %.17g\n", d->belt_velocity.x, d->belt_velocity.y,
-                 d->belt_velocity.z);
+                d->belt_velocity.z);
     }
 }
 
@@ -129,7 +131,7 @@ static char *names_of_walls(const clast_world *w) {
     return all;
 }
 
-/* ---- saving ---------------------------------------------------------------------------------------------- */
+/* ---- saving ---------------------------------------------------------------------------------- */
 
 /* Slots of the bodies that are there, in the order of their ids; malloc'ed. */
 static uint32_t *slots_by_id(const clast_world *w) {
@@ -155,7 +157,7 @@ static void save_column(h5_file *f, const char *name, h5_type type, size_t size,
 static void save_bodies(h5_file *f, clast_world *w) {
     const body_store *b = &w->bodies;
     uint32_t *slots = slots_by_id(w);
-#define X(type, name) \
+#define X(type, name)                                                                              \
     save_column(f, "/bodies/" #name, TYPE_OF(type), sizeof(type), b->name, slots, b->count);
     BODY_COLUMNS(X)
 #undef X
@@ -177,18 +179,18 @@ static void save_field(h5_file *f, const char *name, h5_type type, size_t width,
     free(column);
 }
 
-#define RECORD_FIELDS(X)                            \
-    X(a, H5_U32, 1)                                 \
-    X(b, H5_U32, 1)                                 \
-    X(sphere_a, H5_I32, 1)                          \
-    X(sphere_b, H5_I32, 1)                          \
-    X(history.overlap, H5_F64, 1)                   \
-    X(history.spring, H5_F64, 3)                    \
+#define RECORD_FIELDS(X)                                                                           \
+    X(a, H5_U32, 1)                                                                                \
+    X(b, H5_U32, 1)                                                                                \
+    X(sphere_a, H5_I32, 1)                                                                         \
+    X(sphere_b, H5_I32, 1)                                                                         \
+    X(history.overlap, H5_F64, 1)                                                                  \
+    X(history.spring, H5_F64, 3)                                                                   \
     X(history.force, H5_F64, 3)
 
 static void save_contacts(h5_file *f, clast_world *w) {
     records_collect(w);
-#define X(field, type, width) \
+#define X(field, type, width)                                                                      \
     save_field(f, "/contacts/" #field, type, width, offsetof(contact_record, field), &w->records);
     RECORD_FIELDS(X)
 #undef X
@@ -199,7 +201,8 @@ static void save_parts(h5_file *f, const clast_world *w) {
     CLAST_ASSERT(work);
     for (int i = 0; i < w->part_count; i++) {
         const part *p = &w->parts[i];
-        work[3 * i] = p->work.coarse, work[3 * i + 1] = p->work.fine, work[3 * i + 2] = p->work_total;
+        work[3 * i] = p->work.coarse, work[3 * i + 1] = p->work.fine,
+                 work[3 * i + 2] = p->work_total;
     }
     h5_write(f, "/parts/work", H5_F64, 2, (size_t[]){(size_t)w->part_count, 3}, work);
     free(work);
@@ -246,24 +249,25 @@ clast_status clast_checkpoint_save(clast_world *w, const char *path, const char 
     return status;
 }
 
-/* ---- reading ----------------------------------------------------------------------------------------------- */
+/* ---- reading --------------------------------------------------------------------------------- */
 
 static void check_format(h5_file *f, const char *path) {
     char *format = h5_text_attribute(f, "/", "format");
     if (h5_status(f) == CLAST_OK && strcmp(format, FORMAT_NAME) != 0)
-        h5_fail(f, CLAST_ERR_FORMAT, "%s: holds a '%s', expected a '%s'", path, format, FORMAT_NAME);
+        h5_fail(f, CLAST_ERR_FORMAT, "%s: holds a '%s', expected a '%s'", path, format,
+                FORMAT_NAME);
     free(format);
     uint64_t version = h5_u64_attribute(f, "/", "version");
     if (h5_status(f) == CLAST_OK && version != FORMAT_VERSION)
-        h5_fail(f, CLAST_ERR_VERSION, "%s: format version %llu, this program reads version %d", path,
-                (unsigned long long)version, FORMAT_VERSION);
+        h5_fail(f, CLAST_ERR_VERSION, "%s: format version %llu, this program reads version %d",
+                path, (unsigned long long)version, FORMAT_VERSION);
 }
 
 static void read_bodies(h5_file *f, saved *s) {
     size_t n = s->bodies.count = h5_count(f, "/bodies/id");
-#define X(type, name)                                  \
-    s->bodies.name = calloc(n + 1, sizeof(type));      \
-    CLAST_ASSERT(s->bodies.name);                      \
+#define X(type, name)                                                                              \
+    s->bodies.name = calloc(n + 1, sizeof(type));                                                  \
+    CLAST_ASSERT(s->bodies.name);                                                                  \
     h5_read(f, "/bodies/" #name, TYPE_OF(type), n, s->bodies.name);
     BODY_COLUMNS(X)
 #undef X
@@ -289,7 +293,7 @@ static void read_contacts(h5_file *f, saved *s) {
     s->record_count = h5_count(f, "/contacts/a");
     s->records = calloc(s->record_count + 1, sizeof *s->records);
     CLAST_ASSERT(s->records);
-#define X(field, type, width) \
+#define X(field, type, width)                                                                      \
     read_field(f, s, "/contacts/" #field, type, width, offsetof(contact_record, field));
     RECORD_FIELDS(X)
 #undef X
@@ -328,9 +332,11 @@ static void saved_free(saved *s) {
     free(s->wall_names);
 }
 
-/* ---- checking ------------------------------------------------------------------------------------------------ */
+/* ---- checking -------------------------------------------------------------------------------- */
 
-static size_t line_length(const char *line) { return strcspn(line, "\n"); }
+static size_t line_length(const char *line) {
+    return strcspn(line, "\n");
+}
 
 /* Compares scene texts line by line; on a difference names both lines. */
 static clast_status compare_scenes(clast_world *w, const char *path, const char *theirs) {
@@ -343,8 +349,8 @@ static clast_status compare_scenes(clast_world *w, const char *path, const char 
     clast_status status = *a || *b ? CLAST_ERR_MISMATCH : CLAST_OK;
     if (status != CLAST_OK)
         world_fail(w, status,
-                   "checkpoint %s belongs to another scene:\n  it has     %.*s\n  this scene %.*s", path,
-                   *a ? (int)line_length(a) : 7, *a ? a : "nothing",
+                   "checkpoint %s belongs to another scene:\n  it has     %.*s\n  this scene %.*s",
+                   path, *a ? (int)line_length(a) : 7, *a ? a : "nothing",
                    *b ? (int)line_length(b) : 7, *b ? b : "nothing");
     free(ours);
     return status;
@@ -355,14 +361,16 @@ static ptrdiff_t place_of_id(const saved *s, uint32_t id) {
     size_t from = 0, to = s->bodies.count;
     while (from < to) {
         size_t middle = from + (to - from) / 2;
-        if (s->bodies.id[middle] < id) from = middle + 1;
-        else to = middle;
+        if (s->bodies.id[middle] < id)
+            from = middle + 1;
+        else
+            to = middle;
     }
     return from < s->bodies.count && s->bodies.id[from] == id ? (ptrdiff_t)from : -1;
 }
 
-/* Numbers that are used as indices must be in range before anything is touched; the values themselves
- * are proved by the hash. */
+/* Numbers that are used as indices must be in range before anything is touched; the values
+ * themselves are proved by the hash. */
 static const char *fault_of_indices(const saved *s, int shape_count, uint32_t wall_count) {
     for (size_t i = 0; i < s->bodies.count; i++) {
         if (s->bodies.id[i] >= s->next_id) return "a body's id is out of range";
@@ -380,7 +388,7 @@ static const char *fault_of_indices(const saved *s, int shape_count, uint32_t wa
     return NULL;
 }
 
-/* ---- loading --------------------------------------------------------------------------------------------------- */
+/* ---- loading --------------------------------------------------------------------------------- */
 
 static void install_bodies(clast_world *w, const saved *s) {
     body_store *b = &w->bodies;
@@ -429,14 +437,14 @@ static clast_status check_and_install(clast_world *w, const char *path, const sa
     if (status != CLAST_OK) return status;
     const char *fault = fault_of_indices(s, w->shape_count, (uint32_t)w->wall_count);
     if (!fault && s->part_count != (size_t)w->part_count) fault = "parts are missing";
-    if (fault)
-        return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
+    if (fault) return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
     install(w, s);
     uint64_t hash = clast_world_hash(w);
     if (hash != s->hash)
-        return world_fail(w, CLAST_ERR_FORMAT,
-                          "checkpoint %s is damaged: the state has hash 0x%016llx, saved was 0x%016llx",
-                          path, (unsigned long long)hash, (unsigned long long)s->hash);
+        return world_fail(
+            w, CLAST_ERR_FORMAT,
+            "checkpoint %s is damaged: the state has hash 0x%016llx, saved was 0x%016llx", path,
+            (unsigned long long)hash, (unsigned long long)s->hash);
     return CLAST_OK;
 }
 
@@ -448,8 +456,10 @@ static clast_status read_file(clast_world *w, const char *path, saved *s, char *
     clast_status status = h5_status(f);
     if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
     h5_free(f);
-    if (note && status == CLAST_OK) *note = text;
-    else free(text);
+    if (note && status == CLAST_OK)
+        *note = text;
+    else
+        free(text);
     return status;
 }
 
@@ -463,16 +473,19 @@ clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note
     status = read_file(w, path, &s, &text);
     if (status == CLAST_OK) status = check_and_install(w, path, &s);
     saved_free(&s);
-    if (note && status == CLAST_OK) *note = text;
-    else free(text);
+    if (note && status == CLAST_OK)
+        *note = text;
+    else
+        free(text);
     return status;
 }
 
-/* ---- inheriting --------------------------------------------------------------------------------------------------- */
+/* ---- inheriting ------------------------------------------------------------------------------ */
 
 /* The start of the line of `text` that begins with `head`, or NULL. */
 static const char *line_of(const char *all, const char *head) {
-    for (const char *line = all; *line; line += line_length(line) + (line[line_length(line)] == '\n'))
+    for (const char *line = all; *line;
+         line += line_length(line) + (line[line_length(line)] == '\n'))
         if (strncmp(line, head, strlen(head)) == 0) return line;
     return NULL;
 }
@@ -504,7 +517,8 @@ static int *match_shapes(clast_world *w, const saved *s, int *count) {
 /* Index in this world of the file's index-th wall, by name; -1 where there is none. */
 static int match_wall(const clast_world *w, const saved *s, uint32_t index) {
     const char *line = s->wall_names;
-    for (; index > 0 && *line; index--) line += line_length(line) + (line[line_length(line)] == '\n');
+    for (; index > 0 && *line; index--)
+        line += line_length(line) + (line[line_length(line)] == '\n');
     size_t length = line_length(line);
     for (int i = 0; i < w->wall_count; i++)
         if (strlen(w->walls[i].name) == length && strncmp(w->walls[i].name, line, length) == 0)
@@ -524,23 +538,23 @@ static clast_status inherit_bodies(clast_world *w, const char *path, const saved
     for (size_t i = 0; i < b->count; i++) {
         int shape_index = shape_of[b->shape[i]];
         if (shape_index < 0)
-            return world_fail(w, CLAST_ERR_MISMATCH,
-                              "checkpoint %s: body %u has a shape that this scene does not have, or has "
-                              "with other spheres, mass or material",
-                              path, b->id[i]);
-        clast_body_def def = {
-            .shape = shape_index,
-            .position = {b->x[i], b->y[i], b->z[i]},
-            .orientation = {b->qw[i], b->qx[i], b->qy[i], b->qz[i]},
-            .velocity = {s->now[0][i], s->now[1][i], s->now[2][i]},
-            .spin = {s->now[3][i], s->now[4][i], s->now[5][i]}};
+            return world_fail(
+                w, CLAST_ERR_MISMATCH,
+                "checkpoint %s: body %u has a shape that this scene does not have, or has "
+                "with other spheres, mass or material",
+                path, b->id[i]);
+        clast_body_def def = {.shape = shape_index,
+                              .position = {b->x[i], b->y[i], b->z[i]},
+                              .orientation = {b->qw[i], b->qx[i], b->qy[i], b->qz[i]},
+                              .velocity = {s->now[0][i], s->now[1][i], s->now[2][i]},
+                              .spin = {s->now[3][i], s->now[4][i], s->now[5][i]}};
         if (clast_body_add(w, &def) < 0) return CLAST_ERR_FORMAT;
     }
     return CLAST_OK;
 }
 
-/* Contacts keep their springs: ids become 0, 1, 2, ... and walls are found by name. A contact with a
- * wall that is not here ends. */
+/* Contacts keep their springs: ids become 0, 1, 2, ... and walls are found by name. A contact with
+ * a wall that is not here ends. */
 static void inherit_contacts(clast_world *w, const saved *s) {
     records_reserve(w, s->record_count);
     w->records.count = 0;

@@ -95,8 +95,10 @@ static void write_contacts(h5_file *f, clast_world *w) {
            *normal = rows(n, sizeof *normal), *overlap = rows(n, sizeof *overlap);
     for (size_t i = 0; i < n; i++) {
         a[i] = c[i].a, b[i] = c[i].b;
-        point[3 * i] = c[i].point.x, point[3 * i + 1] = c[i].point.y, point[3 * i + 2] = c[i].point.z;
-        force[3 * i] = c[i].force.x, force[3 * i + 1] = c[i].force.y, force[3 * i + 2] = c[i].force.z;
+        point[3 * i] = c[i].point.x, point[3 * i + 1] = c[i].point.y,
+                  point[3 * i + 2] = c[i].point.z;
+        force[3 * i] = c[i].force.x, force[3 * i + 1] = c[i].force.y,
+                  force[3 * i + 2] = c[i].force.z;
         normal[i] = c[i].normal_force, overlap[i] = c[i].overlap;
     }
     h5_write_column(f, "/contact/a", H5_U32, n, a);

@@ -19,14 +19,15 @@ struct h5_file {
     char error[H5_ERROR_MAX];
 };
 
-/* ---- the driver ---------------------------------------------------------------------------------
+/* ---- the driver --------------------------------------------------------------------------------
  * HDF5 cannot close a file whose last blocks do not fit on the disk: it keeps the file open and
  * complains at exit. So the bytes go through a driver of ours that takes note of the first failed
- * write and tells HDF5 that all is well; h5_publish() then looks at the note, which holds the reason
- * in the words of the system. It takes no locks either, which some network file systems refuse. */
+ * write and tells HDF5 that all is well; h5_publish() then looks at the note, which holds the
+ * reason in the words of the system. It takes no locks either, which some network file systems
+ * refuse. */
 
 typedef struct driver_file {
-    H5FD_t base; /* must be first: HDF5 knows a file by it */
+    H5FD_t base;             /* must be first: HDF5 knows a file by it */
     int descriptor, failure; /* failure: errno of the first write that failed */
     haddr_t allocated, end;
 } driver_file;
@@ -172,7 +173,7 @@ static int write_failure(const h5_file *f) {
     return ((driver_file *)handle)->failure;
 }
 
-/* ---- failures ----------------------------------------------------------------------------------- */
+/* ---- failures -------------------------------------------------------------------------------- */
 
 static herr_t innermost(unsigned n, const H5E_error2_t *error, void *text) {
     if (n == 0) snprintf(text, 256, "%s", error->desc ? error->desc : "unknown");
@@ -209,7 +210,7 @@ const char *h5_error(const h5_file *f) {
     return f->error;
 }
 
-/* ---- opening and closing ------------------------------------------------------------------------ */
+/* ---- opening and closing --------------------------------------------------------------------- */
 
 static h5_file *file_new(const char *path, bool writing) {
     CLAST_ASSERT(path && path[0]);
@@ -245,8 +246,8 @@ h5_file *h5_open(const char *path) {
     if (f->id < 0 && open_errno)
         h5_fail(f, CLAST_ERR_OPEN, "%s: cannot be opened: %s", path, strerror(open_errno));
     else if (f->id < 0)
-        h5_fail(f, CLAST_ERR_FORMAT, "%s: not a whole HDF5 file (cut off, damaged or of another kind)",
-                path);
+        h5_fail(f, CLAST_ERR_FORMAT,
+                "%s: not a whole HDF5 file (cut off, damaged or of another kind)", path);
     return f;
 }
 
@@ -307,9 +308,11 @@ void h5_free(h5_file *f) {
     free(f);
 }
 
-/* ---- names -------------------------------------------------------------------------------------- */
+/* ---- names ----------------------------------------------------------------------------------- */
 
-static bool ready(const h5_file *f) { return f->status == CLAST_OK; }
+static bool ready(const h5_file *f) {
+    return f->status == CLAST_OK;
+}
 
 static hid_t making_groups(void) {
     static hid_t list = -1;
@@ -348,10 +351,11 @@ bool h5_has(h5_file *f, const char *name) {
 char *h5_member(h5_file *f, const char *group, size_t index) {
     CLAST_ASSERT(f && group);
     H5G_info_t about;
-    if (!h5_has(f, group) || H5Gget_info_by_name(f->id, group, &about, H5P_DEFAULT) < 0) return NULL;
+    if (!h5_has(f, group) || H5Gget_info_by_name(f->id, group, &about, H5P_DEFAULT) < 0)
+        return NULL;
     if (index >= about.nlinks) return NULL;
-    ssize_t length = H5Lget_name_by_idx(f->id, group, H5_INDEX_NAME, H5_ITER_INC, index, NULL, 0,
-                                        H5P_DEFAULT);
+    ssize_t length =
+        H5Lget_name_by_idx(f->id, group, H5_INDEX_NAME, H5_ITER_INC, index, NULL, 0, H5P_DEFAULT);
     if (length <= 0) return NULL;
     char *name = malloc((size_t)length + 1);
     CLAST_ASSERT(name);
@@ -360,16 +364,22 @@ char *h5_member(h5_file *f, const char *group, size_t index) {
     return name;
 }
 
-/* ---- arrays --------------------------------------------------------------------------------------- */
+/* ---- arrays ---------------------------------------------------------------------------------- */
 
 static hid_t native(h5_type type) {
     switch (type) {
-    case H5_F64: return H5T_NATIVE_DOUBLE;
-    case H5_F32: return H5T_NATIVE_FLOAT;
-    case H5_I32: return H5T_NATIVE_INT32;
-    case H5_U32: return H5T_NATIVE_UINT32;
-    case H5_U64: return H5T_NATIVE_UINT64;
-    case H5_U8: return H5T_NATIVE_UINT8;
+    case H5_F64:
+        return H5T_NATIVE_DOUBLE;
+    case H5_F32:
+        return H5T_NATIVE_FLOAT;
+    case H5_I32:
+        return H5T_NATIVE_INT32;
+    case H5_U32:
+        return H5T_NATIVE_UINT32;
+    case H5_U64:
+        return H5T_NATIVE_UINT64;
+    case H5_U8:
+        return H5T_NATIVE_UINT8;
     }
     CLAST_ASSERT(!"h5_type");
     return -1;
@@ -379,8 +389,8 @@ static size_t size_of(h5_type type) {
     return type == H5_F64 || type == H5_U64 ? 8 : type == H5_U8 ? 1 : 4;
 }
 
-/* How a dataset is laid out: small ones whole, large ones in deflated chunks of about 256 KiB. Files do
- * not hold the time of day, so that equal results are equal files. */
+/* How a dataset is laid out: small ones whole, large ones in deflated chunks of about 256 KiB.
+ * Files do not hold the time of day, so that equal results are equal files. */
 static hid_t layout(h5_type type, int rank, const hsize_t *extent) {
     hid_t list = H5Pcreate(H5P_DATASET_CREATE);
     CLAST_ASSERT(list >= 0 && H5Pset_obj_track_times(list, false) >= 0);
@@ -464,8 +474,8 @@ void h5_read(h5_file *f, const char *name, h5_type type, size_t count, void *dat
     size_t there = h5_count(f, name);
     if (!ready(f)) return;
     if (there != count) {
-        h5_fail(f, CLAST_ERR_FORMAT, "%s: '%s' holds %zu numbers, expected %zu", f->path, name, there,
-                count);
+        h5_fail(f, CLAST_ERR_FORMAT, "%s: '%s' holds %zu numbers, expected %zu", f->path, name,
+                there, count);
         return;
     }
     hid_t set = count > 0 ? dataset(f, name) : -1;
@@ -489,7 +499,7 @@ void *h5_read_all(h5_file *f, const char *name, h5_type type, size_t *count) {
     return data;
 }
 
-/* ---- texts and attributes ------------------------------------------------------------------------- */
+/* ---- texts and attributes -------------------------------------------------------------------- */
 
 /* Texts are arrays of bytes without the final nul: no limit on length, and nothing to convert. */
 void h5_write_text(h5_file *f, const char *name, const char *text) {
@@ -499,7 +509,8 @@ void h5_write_text(h5_file *f, const char *name, const char *text) {
 
 char *h5_read_text(h5_file *f, const char *name) {
     size_t count;
-    return h5_read_all(f, name, H5_U8, &count); /* one element longer than asked, zero: ends the text */
+    return h5_read_all(f, name, H5_U8,
+                       &count); /* one element longer than asked, zero: ends the text */
 }
 
 static void write_attribute(h5_file *f, const char *object, const char *name, hid_t type,
@@ -507,8 +518,8 @@ static void write_attribute(h5_file *f, const char *object, const char *name, hi
     CLAST_ASSERT(f && f->writing && object && name && value);
     if (!ready(f)) return;
     hid_t space = H5Screate(H5S_SCALAR);
-    hid_t at = H5Acreate_by_name(f->id, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT,
-                                 H5P_DEFAULT);
+    hid_t at =
+        H5Acreate_by_name(f->id, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     if (at < 0 || H5Awrite(at, type, value) < 0) fail(f, "write attribute", name);
     if (at >= 0) H5Aclose(at);
     H5Sclose(space);
@@ -539,12 +550,14 @@ void h5_attribute_u64(h5_file *f, const char *object, const char *name, uint64_t
 static hid_t open_attribute(h5_file *f, const char *object, const char *name) {
     CLAST_ASSERT(f && object && name);
     if (!ready(f)) return -1;
-    hid_t at = h5_has(f, object) ? H5Aopen_by_name(f->id, object, name, H5P_DEFAULT, H5P_DEFAULT) : -1;
+    hid_t at =
+        h5_has(f, object) ? H5Aopen_by_name(f->id, object, name, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (at < 0) h5_fail(f, CLAST_ERR_FORMAT, "%s: '%s' has no '%s'", f->path, object, name);
     return at;
 }
 
-static void read_attribute(h5_file *f, const char *object, const char *name, hid_t type, void *value) {
+static void read_attribute(h5_file *f, const char *object, const char *name, hid_t type,
+                           void *value) {
     hid_t at = open_attribute(f, object, name);
     if (at < 0) return;
     if (H5Aread(at, type, value) < 0) fail(f, "read attribute", name);
@@ -576,7 +589,7 @@ char *h5_text_attribute(h5_file *f, const char *object, const char *name) {
     return text;
 }
 
-/* ---- copying -------------------------------------------------------------------------------------- */
+/* ---- copying --------------------------------------------------------------------------------- */
 
 void h5_copy(h5_file *from, const char *name, h5_file *to, const char *new_name) {
     CLAST_ASSERT(from && to && to->writing && name && new_name);

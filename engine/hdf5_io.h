@@ -1,4 +1,5 @@
-/* hdf5_io.h - the only door to HDF5: arrays, texts and attributes in files that appear whole or not.
+/* hdf5_io.h - the only door to HDF5: arrays, texts and attributes in files that appear whole or
+ * not.
  *
  *     h5_file *f = h5_create("bed.h5");
  *     h5_write(f, "/body/mass", H5_F64, 1, (size_t[]){n}, mass);
@@ -6,10 +7,10 @@
  *     if (h5_publish(f) != CLAST_OK) puts(h5_error(f));
  *     h5_free(f);
  *
- * A new file is written as "<path>.tmp"; publishing flushes it to the disk and renames it, so whoever
- * looks at <path> finds the old file or the whole new one. Errors stick: after the first failure every
- * call does nothing (reads give zeros), and h5_status() and h5_error() tell about that first failure.
- * So a caller writes everything and looks once. Use one thread at a time.
+ * A new file is written as "<path>.tmp"; publishing flushes it to the disk and renames it, so
+ * whoever looks at <path> finds the old file or the whole new one. Errors stick: after the first
+ * failure every call does nothing (reads give zeros), and h5_status() and h5_error() tell about
+ * that first failure. So a caller writes everything and looks once. Use one thread at a time.
  */
 #ifndef CLAST_HDF5_IO_H
 #define CLAST_HDF5_IO_H
@@ -45,8 +46,8 @@ void h5_free(h5_file *f);
 void h5_group(h5_file *f, const char *name);
 bool h5_has(h5_file *f, const char *name);
 
-/* The name of the index-th member of a group in the order of names, malloc'ed; NULL when there are no
- * more. */
+/* The name of the index-th member of a group in the order of names, malloc'ed; NULL when there are
+ * no more. */
 char *h5_member(h5_file *f, const char *group, size_t index);
 
 /* Large arrays are cut into chunks, shuffled and deflated. */

@@ -59,7 +59,8 @@ clast_energy clast_world_energy(clast_world *w) {
     velocities_synchronise(w);
     clast_energy e = {.kinetic = w->view.kinetic, .rotational = w->view.rotational,
                       .gravity = gravity_of(w), .elastic = contacts_elastic_energy(w),
-                      .damping = l->damping, .friction = l->friction, .global = l->global,
+                      .damping = l->damping, .friction = l->friction,
+                      .global = l->global + w->view.half_global,
                       .wall_work = l->wall_work, .removed = l->removed};
     double total = e.kinetic + e.rotational + e.gravity + e.elastic + e.damping + e.friction +
                    e.global + e.removed - e.wall_work;
@@ -79,6 +80,7 @@ void ledger_start(clast_world *w) {
     l->start_total = l->start_gravity = 0;
     for (int p = 0; p < w->part_count; p++) w->parts[p].work_total = 0;
     clast_energy e = clast_world_energy(w);
+    l->global = -e.global; /* a step's loss is half of the kick at either end */
     l->start_gravity = e.gravity;
     l->start_total = e.kinetic + e.rotational + e.gravity + e.elastic;
 }

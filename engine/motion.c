@@ -152,15 +152,18 @@ static void advance_range(void *context, size_t begin, size_t end, int thread) {
     clast_world *w = context;
     body_tally *t = &w->body_tallies[thread];
     double stale2 = 0.25 * w->skin * w->skin;
+    bool plane = w->def.motion == CLAST_MOTION_IN_PLANE && w->def.global_damping == 0;
     for (size_t i = begin; i < end; i++) {
-        double loss = advance_one(w, i);
+        double loss = 0;
+        if (plane) plane_advance(w, i);
+        else loss = advance_one(w, i);
         if (loss != 0) sum_add(&t->global, &w->ledger.scale, loss);
-        spheres_place(w, i, i + 1);
         if (!(moved2(w, i) < stale2)) t->stale = true;
         double way2 = step2(w, i);
         if (!(way2 <= t->step2_max)) t->step2_max = way2 == way2 ? way2 : INFINITY;
         if (body_is_outside(w, i)) t->outside = true;
     }
+    spheres_place(w, begin, end);
 }
 
 /* Gathers f(n), kicks and drifts; afterwards bodies and spheres are at n + 1. */
@@ -180,9 +183,10 @@ void bodies_advance(clast_world *w) {
     if (w->found.stale) w->list.stale = true;
 }
 
-/* Half a step back: from v(0) to v(-1/2), so that the first whole kick ends at v(1/2). */
+/* Half a step back: from v(0) to v(-1/2), so that the mean of v(-1/2) and v(1/2) is v(0). */
 void velocities_start(clast_world *w) {
     body_store *b = &w->bodies;
+    double back = 1 + 0.5 * w->def.global_damping * w->dt, half = 0.5 * w->dt;
     for (size_t i = 0; i < b->count; i++) {
         vec3 force, torque;
         body_load(w, i, &force, &torque);
@@ -191,11 +195,11 @@ void velocities_start(clast_world *w) {
             a = in_plane(w, a);
             torque = v3_sub(torque, in_plane(w, torque));
         }
-        double half = 0.5 * w->dt;
-        b->vx[i] -= half * a.x, b->vy[i] -= half * a.y, b->vz[i] -= half * a.z;
-        b->lx[i] -= half * torque.x, b->ly[i] -= half * torque.y, b->lz[i] -= half * torque.z;
-        vec3 spin = body_spin_of(w, b->shape[i], body_orientation(w, i),
-                                 v3(b->lx[i], b->ly[i], b->lz[i]));
+        vec3 v = v3_sub(v3_scale(back, v3(b->vx[i], b->vy[i], b->vz[i])), v3_scale(half, a));
+        vec3 l = v3_sub(v3_scale(back, v3(b->lx[i], b->ly[i], b->lz[i])), v3_scale(half, torque));
+        b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
+        b->lx[i] = l.x, b->ly[i] = l.y, b->lz[i] = l.z;
+        vec3 spin = body_spin_of(w, b->shape[i], body_orientation(w, i), l);
         b->wx[i] = spin.x, b->wy[i] = spin.y, b->wz[i] = spin.z;
     }
 }
@@ -232,7 +236,7 @@ void velocities_synchronise(clast_world *w) {
         return;
     }
     const body_store *b = &w->bodies;
-    exact_sum kinetic = {0, 0}, rotational = {0, 0};
+    exact_sum kinetic = {0, 0}, rotational = {0, 0}, global = {0, 0};
     for (size_t i = 0; i < b->count; i++) {
         kick k = kicked(w, i);
         double mass = w->shapes[b->shape[i]].mass;
@@ -246,7 +250,9 @@ void velocities_synchronise(clast_world *w) {
         w->view.mass[i] = mass;
         sum_add(&kinetic, &w->ledger.scale, 0.5 * mass * v3_dot(v, k.velocity));
         sum_add(&rotational, &w->ledger.scale, 0.5 * v3_dot(l, after));
+        sum_add(&global, &w->ledger.scale, 0.5 * k.global_loss);
     }
     w->view.kinetic = sum_value(&kinetic);
     w->view.rotational = sum_value(&rotational);
+    w->view.half_global = sum_value(&global);
 }

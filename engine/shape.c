@@ -111,6 +111,10 @@ int clast_shape_add(clast_world *w, const clast_shape_def *d) {
     s->centre = memory_copy(w, d->centre, (size_t)d->spheres, sizeof *s->centre);
     s->radius = memory_copy(w, d->radius, (size_t)d->spheres, sizeof *s->radius);
     s->outline = memory_copy(w, d->outline, 2 * (size_t)d->outline_points, sizeof *s->outline);
+    for (int axis = 0; axis < 3; axis++) {
+        s->offset[axis] = memory_grow(w, NULL, 0, (size_t)d->spheres, sizeof(double));
+        for (int i = 0; i < d->spheres; i++) s->offset[axis][i] = v3_at(s->centre[i], axis);
+    }
     for (int i = 0; i < d->spheres; i++) {
         double arm = v3_norm(s->centre[i]);
         if (arm > s->arm) s->arm = arm;

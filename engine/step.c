@@ -16,7 +16,7 @@ static void choose_sizes(clast_world *w) {
         for (int k = 0; k < s->spheres; k++)
             if (s->radius[k] < w->smallest_radius) w->smallest_radius = s->radius[k];
     }
-    w->skin = w->def.skin > 0 ? w->def.skin : 0.2 * w->smallest_radius;
+    w->skin = w->def.skin > 0 ? w->def.skin : 0.1 * w->smallest_radius;
 }
 
 static size_t sphere_count(const clast_world *w) {

@@ -70,6 +70,7 @@ static void free_scene(clast_world *w) {
     for (int i = 0; i < w->shape_count; i++) {
         shape *s = &w->shapes[i];
         free(s->name), free(s->centre), free(s->radius), free(s->outline);
+        for (int axis = 0; axis < 3; axis++) free(s->offset[axis]);
     }
     for (int i = 0; i < w->part_count; i++) free(w->parts[i].name);
     for (int i = 0; i < w->wall_count; i++) free(w->walls[i].name), free(w->walls[i].coplanar);

@@ -76,6 +76,7 @@ typedef struct shape {
     char *name;
     int material, spheres, outline_points;
     vec3 *centre;
+    double *offset[3]; /* the centres again, by coordinate */
     double *radius, *outline;
     double mass, bound;   /* bound: radius of the bounding sphere about the centre of mass */
     double arm;           /* farthest centre of a sphere from the centre of mass */
@@ -203,7 +204,7 @@ typedef struct cell_grid {
 
 typedef struct ledger {
     sum_scale scale;
-    double damping, friction, global, wall_work; /* J so far */
+    double damping, friction, global, wall_work; /* J so far; global: less half of the first kick */
     double removed, removed_gravity;             /* J carried off: in all, and by height alone */
     double start_total, start_gravity;           /* J at step 0 */
 } ledger;
@@ -246,6 +247,7 @@ struct clast_world {
         double *vx, *vy, *vz, *wx, *wy, *wz, *mass;
         size_t capacity;
         double kinetic, rotational; /* J */
+        double half_global;         /* J, half of what global damping takes in the next kick */
     } view;
 
     struct { /* scratch of the neighbour search */
@@ -308,6 +310,8 @@ double contacts_elastic_energy(const clast_world *w);
 /* motion.c */
 void bodies_advance(clast_world *w);
 void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque);
+void plane_advance(clast_world *w, size_t slot);
+void plane_place_spheres(clast_world *w, size_t body_begin, size_t body_end);
 void velocities_start(clast_world *w);
 void velocities_synchronise(clast_world *w);
 
