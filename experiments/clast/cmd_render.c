@@ -10,8 +10,8 @@
 
 static const char HELP[] =
     "usage: clast render RUN --out FOLDER [OPTIONS]\n\n"
-    "Draws the frames of a run (finished, interrupted or still going) as FOLDER/frame-000000.png ...\n"
-    "What is not said here is taken from the section `view` of the scene.\n\n"
+    "Draws the frames of a run (finished, interrupted or still going) into a folder, as\n"
+    "frame-000000.png and so on. What is not said here is taken from `view` in the scene.\n\n"
     "  --out FOLDER      where the pictures go; made when missing\n"
     "  --preset WHICH    draft (fast) or final (smooth)\n"
     "  --frames A:B:N    frames A to B, every N-th; each part may be left out\n"
@@ -22,7 +22,8 @@ static const char HELP[] =
     "  --backend WHICH   auto, osmesa or egl\n"
     "  --animation FILE  also an .mp4 of the pictures (needs ffmpeg)\n"
     "  --fps N           of the animation\n\n"
-    "example: clast render build/hopper --out build/pictures --frames 0::5 --animation hopper.mp4\n";
+    "example: clast render build/hopper --out build/pictures --frames 0::5 --map cividis\n"
+    "         clast render build/hopper --out build/pictures --animation hopper.mp4\n";
 
 typedef struct arguments {
     const char *run, *out, *frames, *size, *animation;
@@ -53,7 +54,8 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--animation", OPTION_TEXT, &a->animation, NULL},
         {"--fps", OPTION_NUMBER, &a->fps, NULL},
     };
-    int n = options_read("render", argc, argv, options, sizeof options / sizeof *options, &a->run, 1);
+    int n =
+        options_read("render", argc, argv, options, sizeof options / sizeof *options, &a->run, 1);
     if (n < 0) return false;
     if (n < 1) return usage("which run?", "");
     if (!a->out || !a->out[0]) return usage("--out FOLDER is missing", "");
@@ -68,7 +70,8 @@ static bool read_range(arguments *a, size_t count) {
         char *end;
         unsigned long number = strtoul(at, &end, 10);
         if (end != at) numbers[i] = number;
-        if (*end != ':' && *end != '\0') return usage("--frames: expected A:B:N, found ", a->frames);
+        if (*end != ':' && *end != '\0')
+            return usage("--frames: expected A:B:N, found ", a->frames);
         at = *end == ':' ? end + 1 : end;
         if (i == 0 && *end == '\0') numbers[1] = numbers[0]; /* one number: that frame alone */
     }
@@ -96,14 +99,17 @@ static picture_options options_of(const arguments *a, const view *v) {
     static const char *const BACKENDS[] = {"auto", "osmesa", "egl"};
     bool final = v->preset && strcmp(v->preset, "final") == 0;
     bool cividis = v->map && strcmp(v->map, "cividis") == 0;
-    return (picture_options){
-        .preset = a->preset >= 0 ? (render_preset)a->preset : final ? RENDER_FINAL : RENDER_DRAFT,
-        .backend = BACKENDS[a->backend],
-        .width = v->width > 0 ? v->width : 1280,
-        .height = v->height > 0 ? v->height : 720,
-        .colour = a->colour >= 0 ? (colour_by)a->colour : v->colour,
-        .map = a->map >= 0 ? (render_map)a->map : cividis ? RENDER_CIVIDIS : RENDER_VIRIDIS,
-        .speed_max = a->speed_max > 0 ? a->speed_max : v->speed_max};
+    return (picture_options){.preset = a->preset >= 0 ? (render_preset)a->preset
+                                       : final        ? RENDER_FINAL
+                                                      : RENDER_DRAFT,
+                             .backend = BACKENDS[a->backend],
+                             .width = v->width > 0 ? v->width : 1280,
+                             .height = v->height > 0 ? v->height : 720,
+                             .colour = a->colour >= 0 ? (colour_by)a->colour : v->colour,
+                             .map = a->map >= 0 ? (render_map)a->map
+                                    : cividis   ? RENDER_CIVIDIS
+                                                : RENDER_VIRIDIS,
+                             .speed_max = a->speed_max > 0 ? a->speed_max : v->speed_max};
 }
 
 static bool draw_all(const arguments *a, painter *p, render_encoder *encoder) {
@@ -145,7 +151,8 @@ static int paint(const arguments *a, results *r, const picture_options *o) {
         }
     }
     if (good)
-        printf("%zu pictures in %s (%s)\n", (a->to - a->from) / a->step + 1, a->out, painter_backend(p));
+        printf("%zu pictures in %s (%s)\n", (a->to - a->from) / a->step + 1, a->out,
+               painter_backend(p));
     painter_free(p);
     return good ? animate(a, &results_stage(r)->view) : CLAST_EXIT_FILE;
 }

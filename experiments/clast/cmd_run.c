@@ -45,29 +45,36 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--until", OPTION_NUMBER, &a->run.until, NULL},
         {"--quiet", OPTION_FLAG, &a->quiet, NULL},
     };
-    int found = options_read("run", argc, argv, options, sizeof options / sizeof *options, &a->scene, 1);
+    int found =
+        options_read("run", argc, argv, options, sizeof options / sizeof *options, &a->scene, 1);
     if (found < 0) return false;
     a->load.isa = (clast_isa)isa;
     a->load.set = a->set.items;
     a->load.set_count = a->set.count;
     a->run.talk = a->quiet ? RUN_QUIET : RUN_TALK;
-    const char *missing = found < 1                        ? "which scene?"
+    const char *missing = found < 1                       ? "which scene?"
                           : !a->run.out || !a->run.out[0] ? "--out FOLDER is missing"
-                          : a->run.resume && a->run.force  ? "--resume and --force exclude each other"
-                                                           : NULL;
+                          : a->run.resume && a->run.force
+                              ? "--resume and --force exclude each other"
+                              : NULL;
     if (missing) fprintf(stderr, "clast run: %s\n`clast run --help` has an example\n", missing);
     return !missing;
 }
 
 static int exit_of(run_end end) {
     switch (end) {
-    case RUN_DONE: return CLAST_EXIT_OK;
-    case RUN_GUARD: return CLAST_EXIT_RUN_FAILED;
-    case RUN_INTERRUPTED: return CLAST_EXIT_INTERRUPTED;
-    case RUN_MISMATCH: return CLAST_EXIT_MISMATCH;
+    case RUN_DONE:
+        return CLAST_EXIT_OK;
+    case RUN_GUARD:
+        return CLAST_EXIT_RUN_FAILED;
+    case RUN_INTERRUPTED:
+        return CLAST_EXIT_INTERRUPTED;
+    case RUN_MISMATCH:
+        return CLAST_EXIT_MISMATCH;
     case RUN_WRITE_FAILED:
     case RUN_UNREADABLE:
-    case RUN_REFUSED: break;
+    case RUN_REFUSED:
+        break;
     }
     return CLAST_EXIT_FILE;
 }

@@ -21,7 +21,8 @@ enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 
 static void print_help(void) {
     printf("usage: clast COMMAND [ARGUMENTS]\n\n");
-    for (int i = 0; i < COMMAND_COUNT; i++) printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].what);
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-8s %s\n", COMMANDS[i].name, COMMANDS[i].what);
     printf("\n`clast COMMAND --help` tells more and has an example.\n"
            "example: clast run hopper.yaml --out build/hopper\n\n"
            "exit codes:\n"
@@ -36,7 +37,8 @@ static void print_help(void) {
            CLAST_EXIT_FILE, CLAST_EXIT_MISMATCH, CLAST_EXIT_INTERRUPTED);
 }
 
-/* How many letters two short words differ by, roughly: letters of one that the other has no place for. */
+/* How many letters two short words differ by, roughly: letters of one that the other has no place
+ * for. */
 static int distance(const char *a, const char *b) {
     int at[16][16];
     int n = (int)strlen(a), m = (int)strlen(b);
@@ -73,7 +75,8 @@ int main(int argc, char **argv) {
         fprintf(stderr, "clast: which command?\n`clast --help` lists them\n");
         return CLAST_EXIT_USAGE;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
         print_help();
         return CLAST_EXIT_OK;
     }

@@ -58,12 +58,20 @@ static bool store_choice(const char *command, const option *o, const char *value
 
 static bool store(const char *command, const option *o, const char *value) {
     switch (o->kind) {
-    case OPTION_FLAG: *(bool *)o->value = true; return true;
-    case OPTION_TEXT: *(const char **)o->value = value; return true;
-    case OPTION_NUMBER: return store_number(command, o, value);
-    case OPTION_COUNT: return store_count(command, o, value);
-    case OPTION_CHOICE: return store_choice(command, o, value);
-    case OPTION_LIST: break;
+    case OPTION_FLAG:
+        *(bool *)o->value = true;
+        return true;
+    case OPTION_TEXT:
+        *(const char **)o->value = value;
+        return true;
+    case OPTION_NUMBER:
+        return store_number(command, o, value);
+    case OPTION_COUNT:
+        return store_count(command, o, value);
+    case OPTION_CHOICE:
+        return store_choice(command, o, value);
+    case OPTION_LIST:
+        break;
     }
     option_list *list = o->value;
     if (list->count == OPTION_LIST_MAX) return refuse(command, o, value, "not so many of them");

@@ -22,7 +22,7 @@ struct painter {
     double *height_of_id; /* m, in the first frame; not a number where there was no such body */
     uint32_t ids;
     double height_low, height_high;
-    double *x, *y, *z;    /* of the current frame */
+    double *x, *y, *z; /* of the current frame */
     int32_t *body;
     render_rgb *colour, *body_colour;
     size_t spheres, bodies; /* room */
@@ -33,7 +33,7 @@ static bool fail(const char *what) {
     return false;
 }
 
-/* ---- setting up --------------------------------------------------------------------------------------- */
+/* ---- setting up ------------------------------------------------------------------------------ */
 
 static void choose_box(painter *p) {
     const view *v = &p->stage->view;
@@ -139,9 +139,11 @@ void painter_free(painter *p) {
     free(p);
 }
 
-const char *painter_backend(const painter *p) { return render_canvas_backend(p->canvas); }
+const char *painter_backend(const painter *p) {
+    return render_canvas_backend(p->canvas);
+}
 
-/* ---- a frame -------------------------------------------------------------------------------------------- */
+/* ---- a frame --------------------------------------------------------------------------------- */
 
 static void *grown(void *old, size_t count, size_t size) {
     void *p = realloc(old, (count + 1) * size);
@@ -192,9 +194,15 @@ static double colour_bodies(painter *p, const frame *f) {
     case COLOUR_SPEED:
         render_colour_map(p->options.map, value, f->bodies, 0, fastest, p->body_colour);
         break;
-    case COLOUR_SPEED_BANDS: render_colour_bands(value, f->bodies, fastest, p->body_colour); break;
-    case COLOUR_INITIAL_HEIGHT: colour_by_height(p, f, value); break;
-    case COLOUR_BODY: render_colour_bodies(id, f->bodies, p->body_colour); break;
+    case COLOUR_SPEED_BANDS:
+        render_colour_bands(value, f->bodies, fastest, p->body_colour);
+        break;
+    case COLOUR_INITIAL_HEIGHT:
+        colour_by_height(p, f, value);
+        break;
+    case COLOUR_BODY:
+        render_colour_bodies(id, f->bodies, p->body_colour);
+        break;
     }
     free(value), free(id);
     return fastest;
@@ -218,10 +226,15 @@ static bool draw(painter *p, const frame *f, render_encoder *encoder) {
     place_spheres(p, f);
     p->walls.count = 0;
     if (p->stage->view.walls) wall_surfaces_at(&p->walls, p->stage, f->time, p->low, p->high);
-    render_scene scene_now = {
-        .spheres = {.count = f->spheres, .x = p->x, .y = p->y, .z = p->z, .radius = f->radius,
-                    .body = p->body, .colour = p->colour},
-        .walls_count = p->walls.count, .walls = p->walls.walls};
+    render_scene scene_now = {.spheres = {.count = f->spheres,
+                                          .x = p->x,
+                                          .y = p->y,
+                                          .z = p->z,
+                                          .radius = f->radius,
+                                          .body = p->body,
+                                          .colour = p->colour},
+                              .walls_count = p->walls.count,
+                              .walls = p->walls.walls};
     if (render_canvas_draw(p->canvas, &scene_now, &p->camera, &p->image)) return fail("frame");
     render_overlay o = overlay_of(p, f->time, fastest);
     return !render_encoder_push(encoder, &p->image, &o, NULL, 0) || fail("picture");

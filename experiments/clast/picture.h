@@ -1,4 +1,5 @@
-/* picture.h - one frame of a run as a picture: joins what the run stored with what render/ draws. */
+/* picture.h - one frame of a run as a picture: joins what the run stored with what render/ draws.
+ */
 #ifndef CLAST_COMMAND_PICTURE_H
 #define CLAST_COMMAND_PICTURE_H
 

@@ -11,7 +11,9 @@ typedef struct polygon {
     double at[WALL_VERTICES][3];
 } polygon;
 
-static void to_array(clast_vec3 v, double out[3]) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
+static void to_array(clast_vec3 v, double out[3]) {
+    out[0] = v.x, out[1] = v.y, out[2] = v.z;
+}
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -79,8 +81,8 @@ static void sort_round(polygon *p, const double n[3]) {
         }
 }
 
-/* A plane that lies in a face of the box would meet it by chance of rounding: it is cut by a slightly
- * larger box. */
+/* A plane that lies in a face of the box would meet it by chance of rounding: it is cut by a
+ * slightly larger box. */
 static polygon plane_polygon(const stage_wall *w, const double point[3], const double low[3],
                              const double high[3]) {
     double n[3], wide_low[3], wide_high[3];
@@ -102,10 +104,15 @@ static void add_surface(wall_surfaces *w, const polygon *p) {
     memcpy(vertices, p->at, sizeof p->at);
     for (uint32_t f = 0; (int)f < p->count - 2; f++)
         indices[3 * f] = 0, indices[3 * f + 1] = f + 1, indices[3 * f + 2] = f + 2;
-    w->walls[i] = (render_walls){.vertex_count = (size_t)p->count, .vertex = vertices,
-                                 .face_count = (size_t)(p->count - 2), .corners = 3,
-                                 .index = indices, .colour = {120, 140, 170}, .opacity = 0.15,
-                                 .edge_px = 1.5, .edge_colour = {70, 80, 95}};
+    w->walls[i] = (render_walls){.vertex_count = (size_t)p->count,
+                                 .vertex = vertices,
+                                 .face_count = (size_t)(p->count - 2),
+                                 .corners = 3,
+                                 .index = indices,
+                                 .colour = {120, 140, 170},
+                                 .opacity = 0.15,
+                                 .edge_px = 1.5,
+                                 .edge_colour = {70, 80, 95}};
 }
 
 void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
@@ -123,8 +130,8 @@ void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const doubl
         clast_vec3 offset;
         if (!stage_wall_offset(l, time, &offset)) continue;
         double at[3] = {l->point.x + offset.x, l->point.y + offset.y, l->point.z + offset.z};
-        polygon p = l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at)
-                                                : plane_polygon(l, at, low, high);
+        polygon p =
+            l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at) : plane_polygon(l, at, low, high);
         if (p.count >= 3) add_surface(w, &p);
     }
 }

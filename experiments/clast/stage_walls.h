@@ -14,8 +14,8 @@ typedef struct wall_surfaces {
     uint32_t *indices;
 } wall_surfaces;
 
-/* The walls that are there at `time`, where they are then. Infinite planes are cut out by the box, which
- * must not be empty. */
+/* The walls that are there at `time`, where they are then. Infinite planes are cut out by the box,
+ * which must not be empty. */
 void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
                       const double high[3]);
 void wall_surfaces_free(wall_surfaces *w);

@@ -43,8 +43,10 @@ static void copy_frames(h5_file *f, const char *folder, h5_file *old, const fram
         const frame_place *p = &frames->items[i];
         char *group = frame_group(p->number), *path = folder_part(folder, p->number);
         h5_file *part = p->is_part ? h5_open(path) : NULL;
-        if (part) h5_copy(part, "/", f, group);
-        else h5_copy(old, group, f, group);
+        if (part)
+            h5_copy(part, "/", f, group);
+        else
+            h5_copy(old, group, f, group);
         h5_free(part);
         free(group);
         free(path);

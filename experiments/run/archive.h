@@ -15,8 +15,9 @@ typedef struct archive_facts {
     const void *context;
 } archive_facts;
 
-/* Writes run.h5 from the frames in the old run.h5 and in frames/, and from the tables; then run.xdmf;
- * then removes the parts. On failure everything that was there stays, and error says why. */
+/* Writes run.h5 from the frames in the old run.h5 and in frames/, and from the tables; then
+ * run.xdmf; then removes the parts. On failure everything that was there stays, and error says why.
+ */
 clast_status archive_assemble(const char *folder, const archive_facts *facts,
                               char error[H5_ERROR_MAX]);
 

@@ -29,8 +29,7 @@ static void read_header(csv *t, char *line) {
 static bool read_row(csv *t, const char *line, size_t room) {
     for (size_t k = 0; k < t->columns; k++) {
         char *end;
-        if (t->rows == room)
-            t->values[k] = grown(t->values[k], (2 * room + 64) * sizeof(double));
+        if (t->rows == room) t->values[k] = grown(t->values[k], (2 * room + 64) * sizeof(double));
         t->values[k][t->rows] = strtod(line, &end);
         if (end == line || *end != (k + 1 < t->columns ? ',' : '\0')) return false;
         line = end + 1;
@@ -50,11 +49,14 @@ csv *csv_read(const char *path, char error[RESULTS_ERROR_MAX]) {
     CLAST_ASSERT(t);
     char *line = NULL;
     size_t line_room = 0, room = 0;
-    for (ssize_t length; (length = getline(&line, &line_room, f)) > 0 && line[length - 1] == '\n';) {
+    for (ssize_t length;
+         (length = getline(&line, &line_room, f)) > 0 && line[length - 1] == '\n';) {
         line[length - 1] = '\0';
         bool first = t->columns == 0;
-        if (first) read_header(t, line);
-        else if (!read_row(t, line, room)) break;
+        if (first)
+            read_header(t, line);
+        else if (!read_row(t, line, room))
+            break;
         if (t->rows > room) room = 2 * room + 64;
     }
     free(line);

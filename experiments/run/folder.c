@@ -30,7 +30,9 @@ char *path_in(const char *folder, const char *name) {
     return text_format("%s/%s", folder, name);
 }
 
-bool path_exists(const char *path) { return access(path, F_OK) == 0; }
+bool path_exists(const char *path) {
+    return access(path, F_OK) == 0;
+}
 
 int folder_make(const char *path) {
     CLAST_ASSERT(path && path[0]);
@@ -119,7 +121,8 @@ static void remove_ending(const char *path, const char *ending) {
     if (d) closedir(d);
 }
 
-void folder_drop_parts(const char *path, bool drop(const char *part, void *context), void *context) {
+void folder_drop_parts(const char *path, bool drop(const char *part, void *context),
+                       void *context) {
     size_t count;
     long *numbers = folder_parts(path, &count);
     for (size_t i = 0; i < count; i++) {

@@ -6,13 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define FILE_RUN "run.h5"
-#define FILE_XDMF "run.xdmf"
-#define FILE_SERIES "series.csv"
+#define FILE_RUN        "run.h5"
+#define FILE_XDMF       "run.xdmf"
+#define FILE_SERIES     "series.csv"
 #define FILE_CHECKPOINT "checkpoint.h5"
-#define FILE_FAILED "failed.h5"
-#define FILE_SCENE "scene.yaml"
-#define FOLDER_FRAMES "frames"
+#define FILE_FAILED     "failed.h5"
+#define FILE_SCENE      "scene.yaml"
+#define FOLDER_FRAMES   "frames"
 
 /* printf into malloc'ed memory. */
 char *text_format(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -7,7 +7,9 @@
 #include "engine/check.h"
 #include "experiments/run/folder.h"
 
-char *frame_group(long number) { return text_format("/frames/%06ld", number); }
+char *frame_group(long number) {
+    return text_format("/frames/%06ld", number);
+}
 
 static void push(frame_list *l, const frame_place *p) {
     l->items = realloc(l->items, (l->count + 1) * sizeof *l->items);
@@ -58,7 +60,8 @@ frame_list frames_find(const char *folder, h5_file *archive) {
     if (l.count > 0) qsort(l.items, l.count, sizeof *l.items, by_number);
     size_t kept = 0;
     for (size_t i = 0; i < l.count; i++)
-        if (kept == 0 || l.items[kept - 1].number != l.items[i].number) l.items[kept++] = l.items[i];
+        if (kept == 0 || l.items[kept - 1].number != l.items[i].number)
+            l.items[kept++] = l.items[i];
     l.count = kept;
     return l;
 }

@@ -20,8 +20,8 @@ typedef struct frame_list {
     frame_place *items; /* by number; malloc'ed */
 } frame_list;
 
-/* `archive` is run.h5 open for reading, or NULL. A part takes the place of a frame of the same number in
- * the archive (a run that was killed while tidying up); damaged parts are left out. */
+/* `archive` is run.h5 open for reading, or NULL. A part takes the place of a frame of the same
+ * number in the archive (a run that was killed while tidying up); damaged parts are left out. */
 frame_list frames_find(const char *folder, h5_file *archive);
 
 /* Name of a frame's group inside the archive: "/frames/000123". */

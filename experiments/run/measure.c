@@ -17,7 +17,7 @@ const measure_class *measure_class_of(measure_kind kind) {
     return NULL;
 }
 
-/* ---- moments -------------------------------------------------------------------------------------- */
+/* ---- moments --------------------------------------------------------------------------------- */
 
 static const uint32_t *sort_ids; /* qsort has no context; runs are one at a time in a process */
 
@@ -79,7 +79,7 @@ void moment_free(moment *m) {
     *m = (moment){0};
 }
 
-/* ---- memory --------------------------------------------------------------------------------------- */
+/* ---- memory ---------------------------------------------------------------------------------- */
 
 void measure_start(measure_memory *memory, const moment *start, uint32_t ids) {
     *memory = (measure_memory){.ids = ids, .samples = {.descriptor = -1}};

@@ -17,7 +17,7 @@ typedef struct moment {
     double time;
     uint64_t step;
     clast_bodies bodies;
-    size_t *order;        /* places in bodies, by ascending id; bodies.count of them */
+    size_t *order; /* places in bodies, by ascending id; bodies.count of them */
     clast_spheres spheres;
     size_t *first_sphere; /* by place in bodies, bodies.count + 1 of them */
     bool with_contacts;
@@ -44,9 +44,9 @@ typedef struct measure_memory {
 
 typedef struct measure_class {
     measure_kind kind;
-    const char *word;    /* in messages */
+    const char *word; /* in messages */
     bool needs_contacts;
-    bool writes_samples; /* a table <name>.samples.csv beside the series */
+    bool writes_samples;                        /* a table <name>.samples.csv beside the series */
     void (*header)(const measure *m, FILE *to); /* ",name_unit,..." */
     int (*values)(const measure *m, measure_memory *memory, const moment *now, double *values);
     const char *samples_header;

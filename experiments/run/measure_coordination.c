@@ -14,8 +14,10 @@ static int values(const measure *m, measure_memory *memory, const moment *now, d
     for (size_t i = 0; i < now->contact_count; i++) {
         const clast_contact *c = &now->contacts[i];
         if (i > 0 && c[-1].a == c->a && c[-1].b == c->b) continue; /* sorted by (a, b) */
-        if (c->b >= CLAST_WALL_ID) wall_pairs += 1;
-        else body_pairs += 1;
+        if (c->b >= CLAST_WALL_ID)
+            wall_pairs += 1;
+        else
+            body_pairs += 1;
     }
     double n = now->bodies.count > 0 ? (double)now->bodies.count : 1;
     values[0] = 2 * body_pairs / n;

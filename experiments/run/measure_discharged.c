@@ -1,9 +1,12 @@
-/* Cumulative mass and number of bodies that have been below the level. Bodies that left the world count
- * too; one that bounces back above the level stays discharged. Looked at when a row is written. */
+/* Cumulative mass and number of bodies that have been below the level. Bodies that left the world
+ * count too; one that bounces back above the level stays discharged. Looked at when a row is
+ * written. */
 #include "engine/check.h"
 #include "experiments/run/measure.h"
 
-static void header(const measure *m, FILE *to) { fprintf(to, ",%s_kg,%s_count", m->name, m->name); }
+static void header(const measure *m, FILE *to) {
+    fprintf(to, ",%s_kg,%s_count", m->name, m->name);
+}
 
 static int values(const measure *m, measure_memory *memory, const moment *now, double *values) {
     size_t next = 0;

@@ -1,7 +1,9 @@
 /* Number and mass of the bodies with their centre above the level. */
 #include "experiments/run/measure.h"
 
-static void header(const measure *m, FILE *to) { fprintf(to, ",%s_count,%s_kg", m->name, m->name); }
+static void header(const measure *m, FILE *to) {
+    fprintf(to, ",%s_count,%s_kg", m->name, m->name);
+}
 
 static int values(const measure *m, measure_memory *memory, const moment *now, double *values) {
     (void)memory;

@@ -1,17 +1,19 @@
-/* Solid fraction from the profile of the bed, A00 4.3.1 (ii): the width is cut into ten sections, the
- * height of the bed is read in each, and the mean height times the width is the area of the bed.
+/* Solid fraction from the profile of the bed, A00 4.3.1 (ii): the width is cut into ten sections,
+ * the height of the bed is read in each, and the mean height times the width is the area of the
+ * bed.
  *
- * How the height of a section is read. The outline of the bed is the highest point of any sphere above
- * each x. The experimenter read one height per section off a still picture, by eye. Two estimators
- * bracket what that can mean: the mean of the outline over the section, which counts the dips
- * between the topmost bodies as outside the bed, and its maximum, the top of the highest body. The
- * mean is the area under the outline without bias and is what `fraction` uses; `fraction_top` uses the
- * maximum and is the lower end. Which of the two the experimenter's eye was nearer to, the source does
- * not say; the difference is the error of the method and is reported as such, not tuned.
+ * How the height of a section is read. The outline of the bed is the highest point of any sphere
+ * above each x. The experimenter read one height per section off a still picture, by eye. Two
+ * estimators bracket what that can mean: the mean of the outline over the section, which counts the
+ * dips between the topmost bodies as outside the bed, and its maximum, the top of the highest body.
+ * The mean is the area under the outline without bias and is what `fraction` uses; `fraction_top`
+ * uses the maximum and is the lower end. Which of the two the experimenter's eye was nearer to, the
+ * source does not say; the difference is the error of the method and is reported as such, not
+ * tuned.
  *
- * What belongs to the bed: bodies with their centre above the level, without those in flight. A body is
- * in flight when it touches nothing and hangs by more than its own height above everything below it;
- * such bodies count neither in the number nor in the outline. */
+ * What belongs to the bed: bodies with their centre above the level, without those in flight. A
+ * body is in flight when it touches nothing and hangs by more than its own height above everything
+ * below it; such bodies count neither in the number nor in the outline. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -35,8 +37,8 @@ typedef struct bed {
 } bed;
 
 static void header(const measure *m, FILE *to) {
-    fprintf(to, ",%s_fraction,%s_fraction_top,%s_bulk_kg_per_m2,%s_area_m2,%s_count", m->name, m->name,
-            m->name, m->name, m->name);
+    fprintf(to, ",%s_fraction,%s_fraction_top,%s_bulk_kg_per_m2,%s_area_m2,%s_count", m->name,
+            m->name, m->name, m->name, m->name);
     for (int i = 0; i < m->sections; i++) fprintf(to, ",%s_height_%d_m", m->name, i + 1);
 }
 
@@ -59,7 +61,8 @@ static void lines_of(const bed *b, double x, double radius, int *from, int *to) 
     *to = high < 0 ? 0 : high > b->lines ? b->lines : (int)high;
 }
 
-/* Height of a sphere's surface above (sign +1) or below (-1) its centre on a line, above the level. */
+/* Height of a sphere's surface above (sign +1) or below (-1) its centre on a line, above the level.
+ */
 static double surface(const bed *b, size_t sphere, int line, int sign) {
     const clast_spheres *s = &b->now->spheres;
     double dx = line_x(b, line) - s->x[sphere], r = s->radius[sphere];

@@ -14,17 +14,23 @@ double clock_seconds(void) {
 }
 
 void progress_start(progress *p, run_talk talk, uint64_t first_step, uint64_t last_step) {
-    *p = (progress){.talk = talk, .first_step = first_step, .last_step = last_step,
-                    .shown_step = first_step, .terminal = isatty(STDOUT_FILENO) == 1};
+    *p = (progress){.talk = talk,
+                    .first_step = first_step,
+                    .last_step = last_step,
+                    .shown_step = first_step,
+                    .terminal = isatty(STDOUT_FILENO) == 1};
     p->started = p->shown = clock_seconds();
 }
 
 /* "1 h 05 min", "3 min 20 s", "12 s" */
 static void print_duration(double seconds) {
     long s = lround(seconds);
-    if (s >= 3600) printf("%ld h %02ld min", s / 3600, s / 60 % 60);
-    else if (s >= 60) printf("%ld min %02ld s", s / 60, s % 60);
-    else printf("%ld s", s);
+    if (s >= 3600)
+        printf("%ld h %02ld min", s / 3600, s / 60 % 60);
+    else if (s >= 60)
+        printf("%ld min %02ld s", s / 60, s % 60);
+    else
+        printf("%ld s", s);
 }
 
 static void show(progress *p, clast_world *w, double now) {
@@ -66,15 +72,16 @@ void report_plan(const scene *s, const run_options *o) {
     clast_counters c = clast_world_counters(s->world);
     int walls = clast_world_wall_count(s->world), parts = clast_world_part_count(s->world);
     printf("scene   %s: %zu bodies, %zu spheres, %d wall%s in %d part%s\n",
-           s->title && s->title[0] ? s->title : "untitled", c.bodies, c.spheres,
-           walls, walls == 1 ? "" : "s", parts, parts == 1 ? "" : "s");
+           s->title && s->title[0] ? s->title : "untitled", c.bodies, c.spheres, walls,
+           walls == 1 ? "" : "s", parts, parts == 1 ? "" : "s");
     printf("step    %.4g s: %.3g per contact at %.3g m/s (Rayleigh %.3g s, critical %.3g s)\n",
            p.time_step, p.resolution, p.impact_speed, p.rayleigh_step, p.critical_step);
     printf("kernel  %s; %s, %d thread%s\n", p.kernel ? p.kernel : "general", p.isa ? p.isa : "?",
            p.threads, p.threads == 1 ? "" : "s");
     printf("until   %.6g s", s->ending.latest);
     if (s->ending.rest_for > 0)
-        printf(" or nothing faster than %.3g m/s for %.3g s", s->ending.rest_speed, s->ending.rest_for);
+        printf(" or nothing faster than %.3g m/s for %.3g s", s->ending.rest_speed,
+               s->ending.rest_for);
     printf("\noutput  %s", o->out);
     print_every("frames", s->output.frame_every);
     print_every("series", s->output.series_every);
@@ -88,8 +95,10 @@ void report_costs(const scene *s, double seconds, uint64_t steps) {
     const struct {
         const char *name;
         double seconds;
-    } stages[] = {{"neighbours", c.seconds_neighbours}, {"contacts", c.seconds_contacts},
-                  {"bodies", c.seconds_bodies},         {"walls", c.seconds_walls},
+    } stages[] = {{"neighbours", c.seconds_neighbours},
+                  {"contacts", c.seconds_contacts},
+                  {"bodies", c.seconds_bodies},
+                  {"walls", c.seconds_walls},
                   {"guards", c.seconds_measure}};
     double known = 0;
     printf("stage          s      %%\n");

@@ -1,5 +1,5 @@
-/* progress.h - what a person watching a run sees: one rewritten line on a terminal, plain lines now and
- * then elsewhere. */
+/* progress.h - what a person watching a run sees: one rewritten line on a terminal, plain lines now
+ * and then elsewhere. */
 #ifndef CLAST_RUN_PROGRESS_H
 #define CLAST_RUN_PROGRESS_H
 

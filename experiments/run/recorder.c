@@ -42,8 +42,10 @@ typedef struct keeping {
 static int open_table(table *t, const char *folder, const char *file, const char *header,
                       const keeping *k) {
     char *path = path_in(folder, file);
-    if (k) table_continue(t, path, header, k->keep, k->context);
-    else table_create(t, path, header);
+    if (k)
+        table_continue(t, path, header, k->keep, k->context);
+    else
+        table_create(t, path, header);
     free(path);
     return t->failure;
 }
@@ -64,18 +66,20 @@ static int open_tables(recorder *r, const char *folder, const keeping *k) {
     return failure;
 }
 
-int recorder_create(recorder *r, const char *folder) { return open_tables(r, folder, NULL); }
+int recorder_create(recorder *r, const char *folder) {
+    return open_tables(r, folder, NULL);
+}
 
-int recorder_continue(recorder *r, const char *folder, bool keep(uint64_t step, const void *context),
-                      const void *context) {
+int recorder_continue(recorder *r, const char *folder,
+                      bool keep(uint64_t step, const void *context), const void *context) {
     return open_tables(r, folder, &(keeping){keep, context});
 }
 
-/* ---- rows -------------------------------------------------------------------------------------------- */
+/* ---- rows ------------------------------------------------------------------------------------ */
 
 static void write_energy(table *t, clast_world *w) {
     clast_energy e = clast_world_energy(w);
-    const double terms[] = {e.kinetic, e.rotational, e.gravity,   e.elastic, e.damping, e.friction,
+    const double terms[] = {e.kinetic, e.rotational, e.gravity, e.elastic, e.damping, e.friction,
                             e.global,  e.wall_work,  e.removed, e.input,   e.residual};
     for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) table_number(t, terms[i]);
 }
@@ -121,7 +125,7 @@ void recorder_stop(recorder *r) {
     *r = (recorder){.series = {.descriptor = -1}};
 }
 
-/* ---- memory: "below <measure> <one digit per body>" ---------------------------------------------------- */
+/* ---- memory: "below <measure> <one digit per body>" ------------------------------------------ */
 
 void recorder_write_memory(const recorder *r, FILE *to) {
     for (int i = 0; i < r->scene->measure_count; i++) {

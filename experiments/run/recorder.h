@@ -15,10 +15,11 @@ typedef struct recorder {
 /* Takes note of the bodies that the scene starts with; opens nothing yet. */
 void recorder_start(recorder *r, const scene *s);
 
-/* Creates the tables, or goes on with those of the folder, keeping the rows for which keep() holds. */
+/* Creates the tables, or goes on with those of the folder, keeping the rows for which keep() holds.
+ */
 int recorder_create(recorder *r, const char *folder);
-int recorder_continue(recorder *r, const char *folder, bool keep(uint64_t step, const void *context),
-                      const void *context);
+int recorder_continue(recorder *r, const char *folder,
+                      bool keep(uint64_t step, const void *context), const void *context);
 
 /* Writes one row of every table; 0 or errno of the first failure. */
 int recorder_row(recorder *r);

@@ -18,7 +18,7 @@ struct results {
     char error[RESULTS_ERROR_MAX];
 };
 
-/* ---- opening ---------------------------------------------------------------------------------------- */
+/* ---- opening --------------------------------------------------------------------------------- */
 
 static char *read_file(const char *path) {
     FILE *f = fopen(path, "r");
@@ -82,12 +82,24 @@ void results_free(results *r) {
     free(r);
 }
 
-const char *results_scene(const results *r) { return r->scene; }
-const stage *results_stage(const results *r) { return r->stage; }
-size_t results_rows(const results *r) { return r->series->rows; }
-const csv *results_table(const results *r) { return r->series; }
-const char *results_error(const results *r) { return r->error; }
-size_t results_frames(const results *r) { return r->frames.count; }
+const char *results_scene(const results *r) {
+    return r->scene;
+}
+const stage *results_stage(const results *r) {
+    return r->stage;
+}
+size_t results_rows(const results *r) {
+    return r->series->rows;
+}
+const csv *results_table(const results *r) {
+    return r->series;
+}
+const char *results_error(const results *r) {
+    return r->error;
+}
+size_t results_frames(const results *r) {
+    return r->frames.count;
+}
 
 const double *results_series(const results *r, const char *column) {
     return csv_column(r->series, column);
@@ -101,7 +113,7 @@ csv *results_samples(const results *r, const char *name) {
     return t;
 }
 
-/* ---- frames ------------------------------------------------------------------------------------------ */
+/* ---- frames ---------------------------------------------------------------------------------- */
 
 double results_frame_time(const results *r, size_t i) {
     CLAST_ASSERT(r && i < r->frames.count);
@@ -117,7 +129,8 @@ size_t results_frame_at(const results *r, double time) {
     CLAST_ASSERT(r && r->frames.count > 0);
     size_t best = 0;
     for (size_t i = 1; i < r->frames.count; i++)
-        if (fabs(r->frames.items[i].time - time) < fabs(r->frames.items[best].time - time)) best = i;
+        if (fabs(r->frames.items[i].time - time) < fabs(r->frames.items[best].time - time))
+            best = i;
     return best;
 }
 
@@ -128,7 +141,8 @@ static void *read_rows(h5_file *f, const char *group, const char *name, h5_type 
     size_t there;
     void *data = h5_read_all(f, path, type, &there);
     if (h5_status(f) == CLAST_OK && there != count * width)
-        h5_fail(f, CLAST_ERR_FORMAT, "'%s' holds %zu numbers, expected %zu", path, there, count * width);
+        h5_fail(f, CLAST_ERR_FORMAT, "'%s' holds %zu numbers, expected %zu", path, there,
+                count * width);
     free(path);
     return data;
 }

@@ -22,7 +22,7 @@
 
 enum { RESULTS_ERROR_MAX = 1024 };
 
-/* ---- tables: any CSV file of a run ----------------------------------------------------------------- */
+/* ---- tables: any CSV file of a run ----------------------------------------------------------- */
 
 typedef struct csv {
     size_t rows, columns;
@@ -30,13 +30,13 @@ typedef struct csv {
     double **values; /* [column][row] */
 } csv;
 
-/* NULL with a reason when there is no such file or no header. A last line without an end (a run that
- * was killed while writing) is left out. */
+/* NULL with a reason when there is no such file or no header. A last line without an end (a run
+ * that was killed while writing) is left out. */
 csv *csv_read(const char *path, char error[RESULTS_ERROR_MAX]);
 const double *csv_column(const csv *t, const char *name); /* NULL when there is none */
 void csv_free(csv *t);
 
-/* ---- a run ----------------------------------------------------------------------------------------- */
+/* ---- a run ----------------------------------------------------------------------------------- */
 
 typedef struct results results;
 
@@ -55,7 +55,8 @@ size_t results_rows(const results *r);
 const double *results_series(const results *r, const char *column);
 const csv *results_table(const results *r);
 
-/* The samples of the measure of that name, NULL when there are none; to be freed with csv_free(). */
+/* The samples of the measure of that name, NULL when there are none; to be freed with csv_free().
+ */
 csv *results_samples(const results *r, const char *name);
 
 /* Frames in the order of time. */
@@ -72,11 +73,11 @@ typedef struct frame {
     uint32_t *id;
     int32_t *shape;
     double *position, *orientation, *velocity, *spin; /* 3, 4 (w x y z), 3, 3 numbers per body */
-    double *centre;                                   /* m, 3 per sphere; single precision in the file */
-    double *radius, *speed;                           /* m, m/s, per sphere */
-    uint32_t *sphere_body;                            /* id */
-    uint32_t *contact_a, *contact_b;                  /* NULL when the run did not keep contacts */
-    double *contact_point, *contact_force;            /* 3 per contact */
+    double *centre;                        /* m, 3 per sphere; single precision in the file */
+    double *radius, *speed;                /* m, m/s, per sphere */
+    uint32_t *sphere_body;                 /* id */
+    uint32_t *contact_a, *contact_b;       /* NULL when the run did not keep contacts */
+    double *contact_point, *contact_force; /* 3 per contact */
     double *contact_normal, *contact_overlap;
 } frame;
 

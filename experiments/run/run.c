@@ -35,7 +35,7 @@ typedef struct run {
     run_report report;
 } run;
 
-/* ---- signals ----------------------------------------------------------------------------------------- */
+/* ---- signals --------------------------------------------------------------------------------- */
 
 static volatile sig_atomic_t stop_asked;
 
@@ -71,7 +71,7 @@ static void signals_restore(const signals *old) {
     sigaction(SIGXFSZ, &old->file_size, NULL);
 }
 
-/* ---- failures ------------------------------------------------------------------------------------------ */
+/* ---- failures -------------------------------------------------------------------------------- */
 
 /* Keeps the first failure; always false, for returning. */
 static bool ends(run *r, run_end end, const char *format, ...) {
@@ -89,7 +89,7 @@ static bool cannot_write(run *r, const char *file, int failure) {
                 strerror(failure));
 }
 
-/* ---- the note in the checkpoint: what the run layer must remember ------------------------------------ */
+/* ---- the note in the checkpoint: what the run layer must remember ---------------------------- */
 
 static char *note_text(const run *r) {
     char *text;
@@ -111,7 +111,7 @@ static void note_read(run *r, const char *note) {
     recorder_read_memory(&r->recorder, note);
 }
 
-/* ---- what is written ------------------------------------------------------------------------------------ */
+/* ---- what is written ------------------------------------------------------------------------- */
 
 static bool write_checkpoint(run *r) {
     int failure = recorder_sync(&r->recorder); /* a checkpoint must not be newer than the rows */
@@ -147,21 +147,26 @@ static bool keep_frame(const frame_place *place, const void *context) {
 }
 
 static bool assemble(run *r, const char *end, bool drop_later) {
-    archive_facts facts = {.scene = r->scene, .end = end, .hash = clast_world_hash(r->world),
-                           .steps = clast_world_steps(r->world), .time = clast_world_time(r->world),
-                           .keep_frame = drop_later ? keep_frame : NULL, .context = r};
+    archive_facts facts = {.scene = r->scene,
+                           .end = end,
+                           .hash = clast_world_hash(r->world),
+                           .steps = clast_world_steps(r->world),
+                           .time = clast_world_time(r->world),
+                           .keep_frame = drop_later ? keep_frame : NULL,
+                           .context = r};
     char error[H5_ERROR_MAX];
     clast_status status = archive_assemble(r->options->out, &facts, error);
     if (status == CLAST_OK) return true;
     return ends(r, status == CLAST_ERR_WRITE ? RUN_WRITE_FAILED : RUN_UNREADABLE, "%s", error);
 }
 
-/* ---- beginning ------------------------------------------------------------------------------------------ */
+/* ---- beginning ------------------------------------------------------------------------------- */
 
 static bool make_folders(run *r) {
     int failure = folder_make(r->options->out);
-    if (failure) return ends(r, RUN_WRITE_FAILED, "%s: cannot be made: %s", r->options->out,
-                             strerror(failure));
+    if (failure)
+        return ends(r, RUN_WRITE_FAILED, "%s: cannot be made: %s", r->options->out,
+                    strerror(failure));
     char *frames = path_in(r->options->out, FOLDER_FRAMES);
     failure = folder_make(frames);
     free(frames);
@@ -183,8 +188,8 @@ static bool write_due(run *r) {
     return !schedule_is_due(&r->checkpoints, now) || write_checkpoint(r);
 }
 
-/* An archive without frames and a checkpoint at once: they prove that the folder takes files, say whose
- * folder it is, and hold the walls and the view for who looks at the run while it goes on. */
+/* An archive without frames and a checkpoint at once: they prove that the folder takes files, say
+ * whose folder it is, and hold the walls and the view for who looks at the run while it goes on. */
 static bool begin_fresh(run *r) {
     int failure = folder_clear_run(r->options->out);
     if (failure) return cannot_write(r, "", failure);
@@ -229,7 +234,8 @@ static bool begin_resumed(run *r, const char *checkpoint) {
     if (!load_checkpoint(r, checkpoint)) return false;
     int failure = recorder_continue(&r->recorder, r->options->out, keep_step, r);
     if (failure == EINVAL)
-        return ends(r, RUN_MISMATCH, "%s/" FILE_SERIES ": has other columns than this scene measures",
+        return ends(r, RUN_MISMATCH,
+                    "%s/" FILE_SERIES ": has other columns than this scene measures",
                     r->options->out);
     if (failure) return cannot_write(r, FILE_SERIES, failure);
     folder_drop_parts(r->options->out, drop_later_part, r);
@@ -244,8 +250,10 @@ static bool begin_resumed(run *r, const char *checkpoint) {
 static bool begin(run *r) {
     const run_options *o = r->options;
     if (!folder_is_empty(o->out) && !o->resume && !o->force)
-        return ends(r, RUN_REFUSED, "%s: is not empty; --resume goes on with the run in it, --force "
-                    "throws that run away", o->out);
+        return ends(r, RUN_REFUSED,
+                    "%s: is not empty; --resume goes on with the run in it, --force "
+                    "throws that run away",
+                    o->out);
     char *checkpoint = path_in(o->out, FILE_CHECKPOINT);
     bool resumed = o->resume && path_exists(checkpoint);
     bool good = resumed ? begin_resumed(r, checkpoint) : begin_fresh(r);
@@ -255,7 +263,7 @@ static bool begin(run *r) {
     return good;
 }
 
-/* ---- running -------------------------------------------------------------------------------------------- */
+/* ---- running --------------------------------------------------------------------------------- */
 
 static double fastest(clast_world *w) {
     clast_bodies b = clast_world_bodies(w);
@@ -267,15 +275,17 @@ static double fastest(clast_world *w) {
     return sqrt(most);
 }
 
-/* True when nothing has been fast for long enough. Turning on the spot does not count as motion: round
- * bodies without friction would never stop. */
+/* True when nothing has been fast for long enough. Turning on the spot does not count as motion:
+ * round bodies without friction would never stop. */
 static bool has_come_to_rest(run *r) {
     uint64_t now = clast_world_steps(r->world);
     if (r->rest_steps == 0) return false;
     if (schedule_is_due(&r->rest, now)) {
         bool quiet = fastest(r->world) <= r->scene->ending.rest_speed;
-        if (!quiet) r->quiet_from = NEVER_QUIET;
-        else if (r->quiet_from == NEVER_QUIET) r->quiet_from = now;
+        if (!quiet)
+            r->quiet_from = NEVER_QUIET;
+        else if (r->quiet_from == NEVER_QUIET)
+            r->quiet_from = now;
     }
     return r->quiet_from != NEVER_QUIET && now - r->quiet_from >= r->rest_steps;
 }
@@ -310,8 +320,8 @@ static bool write_last(run *r) {
     return write_checkpoint(r);
 }
 
-/* Steps from event to event. A stop that comes between two events leaves nothing but a checkpoint, so that
- * going on gives the very files of a run that was never stopped. */
+/* Steps from event to event. A stop that comes between two events leaves nothing but a checkpoint,
+ * so that going on gives the very files of a run that was never stopped. */
 static bool go(run *r) {
     while (clast_world_steps(r->world) < r->last_step) {
         if (has_come_to_rest(r)) {
@@ -322,7 +332,8 @@ static bool go(run *r) {
         if (!step_until(r, target)) return false;
         if (clast_world_steps(r->world) == target && !write_due(r)) return false;
         if (stop_asked) {
-            ends(r, RUN_INTERRUPTED, "interrupted at t = %.6g s; everything is saved, --resume goes on",
+            ends(r, RUN_INTERRUPTED,
+                 "interrupted at t = %.6g s; everything is saved, --resume goes on",
                  clast_world_time(r->world));
             return false;
         }
@@ -330,7 +341,7 @@ static bool go(run *r) {
     return write_last(r);
 }
 
-/* ---- ending --------------------------------------------------------------------------------------------- */
+/* ---- ending ---------------------------------------------------------------------------------- */
 
 static void save_failed_state(run *r) {
     char *path = path_in(r->options->out, FILE_FAILED);
@@ -341,16 +352,20 @@ static void save_failed_state(run *r) {
 /* Saves what can be saved; a failure on the way does not hide what ended the run. */
 static void wind_up(run *r) {
     switch (r->report.end) {
-    case RUN_DONE: assemble(r, r->report.at_rest ? "at rest" : "finished", false); break;
+    case RUN_DONE:
+        assemble(r, r->report.at_rest ? "at rest" : "finished", false);
+        break;
     case RUN_INTERRUPTED:
         r->report.end = RUN_DONE; /* so that a failure to save is told */
-        if (write_checkpoint(r) && assemble(r, "interrupted", false)) r->report.end = RUN_INTERRUPTED;
+        if (write_checkpoint(r) && assemble(r, "interrupted", false))
+            r->report.end = RUN_INTERRUPTED;
         break;
     case RUN_GUARD:
         save_failed_state(r);
         assemble(r, "failed", false);
         break;
-    default: break;
+    default:
+        break;
     }
 }
 
@@ -414,8 +429,8 @@ bool run_is_finished(const char *folder, uint64_t *hash) {
     if (!f) return false;
     char *end = h5_text_attribute(f, "/", "end"), *text = h5_text_attribute(f, "/", "hash");
     *hash = strtoull(text, NULL, 16);
-    bool finished = h5_status(f) == CLAST_OK &&
-                    (strcmp(end, "finished") == 0 || strcmp(end, "at rest") == 0);
+    bool finished =
+        h5_status(f) == CLAST_OK && (strcmp(end, "finished") == 0 || strcmp(end, "at rest") == 0);
     free(end);
     free(text);
     h5_free(f);

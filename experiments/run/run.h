@@ -13,8 +13,9 @@
 #include "experiments/scene/scene.h"
 
 typedef enum run_end {
-    RUN_DONE,         /* came to its latest time or to rest */
-    RUN_GUARD,        /* the engine stopped it: failed.h5 holds the state, checkpoint.h5 the last good one */
+    RUN_DONE,  /* came to its latest time or to rest */
+    RUN_GUARD, /* the engine stopped it: failed.h5 holds the state, checkpoint.h5 the last good one
+                */
     RUN_INTERRUPTED,  /* SIGINT or SIGTERM: everything is saved, `resume` goes on */
     RUN_WRITE_FAILED, /* disk full, no permission: what was written before stays readable */
     RUN_MISMATCH,     /* `resume` in the folder of another scene */
@@ -29,17 +30,17 @@ typedef enum run_talk {
 } run_talk;
 
 typedef struct run_options {
-    const char *out;   /* folder; made when missing, its parents too */
-    bool resume;       /* go on from the folder's checkpoint; from the start when there is none */
-    bool force;        /* throw an earlier run in the folder away (its own files only) */
-    double until;      /* s; > 0 takes the place of the scene's latest time */
+    const char *out; /* folder; made when missing, its parents too */
+    bool resume;     /* go on from the folder's checkpoint; from the start when there is none */
+    bool force;      /* throw an earlier run in the folder away (its own files only) */
+    double until;    /* s; > 0 takes the place of the scene's latest time */
     run_talk talk;
 } run_options;
 
 typedef struct run_report {
     run_end end;
-    bool at_rest;       /* ended because nothing moved */
-    double time;        /* s, simulated */
+    bool at_rest; /* ended because nothing moved */
+    double time;  /* s, simulated */
     uint64_t steps, hash;
     double seconds;     /* s, of this process for this run */
     double residual;    /* of the energy put in */

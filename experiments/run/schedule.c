@@ -22,7 +22,9 @@ int64_t schedule_index(const schedule *s, uint64_t step) {
     return k >= 0 && step_of(s, k) == step ? k : -1;
 }
 
-bool schedule_is_due(const schedule *s, uint64_t step) { return schedule_index(s, step) >= 0; }
+bool schedule_is_due(const schedule *s, uint64_t step) {
+    return schedule_index(s, step) >= 0;
+}
 
 uint64_t schedule_next(const schedule *s, uint64_t step) {
     if (s->every == 0) return SCHEDULE_NEVER;

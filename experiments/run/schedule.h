@@ -1,7 +1,7 @@
 /* schedule.h - when something is due, as a function of the step number alone.
  *
- * Event k of a series with spacing `every` falls on the step next to k * every. Nothing is added up, so
- * a run that stops and goes on writes at the very same steps. */
+ * Event k of a series with spacing `every` falls on the step next to k * every. Nothing is added
+ * up, so a run that stops and goes on writes at the very same steps. */
 #ifndef CLAST_RUN_SCHEDULE_H
 #define CLAST_RUN_SCHEDULE_H
 
@@ -15,7 +15,8 @@ typedef struct schedule {
     double dt;    /* s, one step */
 } schedule;
 
-/* Index k of the event on this step (the last of them when steps are longer than the spacing), or -1. */
+/* Index k of the event on this step (the last of them when steps are longer than the spacing), or
+ * -1. */
 int64_t schedule_index(const schedule *s, uint64_t step);
 bool schedule_is_due(const schedule *s, uint64_t step);
 

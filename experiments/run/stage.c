@@ -9,7 +9,7 @@
 
 enum { WALL_NUMBERS = 17 };
 
-/* ---- the view: every number by name -------------------------------------------------------------- */
+/* ---- the view: every number by name ---------------------------------------------------------- */
 
 typedef struct field {
     const char *name;
@@ -34,10 +34,18 @@ enum { FIELD_COUNT = sizeof FIELDS / sizeof *FIELDS };
 static int field_numbers(const field *d, const view *v, double out[3]) {
     const char *at = (const char *)v + d->offset;
     switch (d->kind) {
-    case FIELD_DOUBLE: memcpy(out, at, sizeof(double)); return 1;
-    case FIELD_INT: out[0] = *(const int *)at; return 1;
-    case FIELD_BOOL: out[0] = *(const bool *)at; return 1;
-    case FIELD_VECTOR: memcpy(out, at, 3 * sizeof(double)); return 3;
+    case FIELD_DOUBLE:
+        memcpy(out, at, sizeof(double));
+        return 1;
+    case FIELD_INT:
+        out[0] = *(const int *)at;
+        return 1;
+    case FIELD_BOOL:
+        out[0] = *(const bool *)at;
+        return 1;
+    case FIELD_VECTOR:
+        memcpy(out, at, 3 * sizeof(double));
+        return 3;
     }
     return 0;
 }
@@ -45,14 +53,24 @@ static int field_numbers(const field *d, const view *v, double out[3]) {
 static void field_store(const field *d, view *v, const double in[3]) {
     char *at = (char *)v + d->offset;
     switch (d->kind) {
-    case FIELD_DOUBLE: memcpy(at, in, sizeof(double)); break;
-    case FIELD_INT: *(int *)at = (int)in[0]; break;
-    case FIELD_BOOL: *(bool *)at = in[0] != 0; break;
-    case FIELD_VECTOR: memcpy(at, in, 3 * sizeof(double)); break;
+    case FIELD_DOUBLE:
+        memcpy(at, in, sizeof(double));
+        break;
+    case FIELD_INT:
+        *(int *)at = (int)in[0];
+        break;
+    case FIELD_BOOL:
+        *(bool *)at = in[0] != 0;
+        break;
+    case FIELD_VECTOR:
+        memcpy(at, in, 3 * sizeof(double));
+        break;
     }
 }
 
-static void path_of(char path[64], const char *name) { snprintf(path, 64, "/view/%s", name); }
+static void path_of(char path[64], const char *name) {
+    snprintf(path, 64, "/view/%s", name);
+}
 
 static void write_view(h5_file *f, const view *v) {
     char path[64];
@@ -82,15 +100,15 @@ static void read_view(h5_file *f, stage *s) {
     }
 }
 
-/* ---- walls: a row of numbers each ------------------------------------------------------------------- */
+/* ---- walls: a row of numbers each ------------------------------------------------------------ */
 
 static void wall_row(const clast_world *w, int index, double row[WALL_NUMBERS]) {
     clast_wall_def d = clast_world_wall(w, index);
     clast_part_def p = clast_world_part(w, clast_world_wall_part(w, index));
     const double numbers[WALL_NUMBERS] = {
-        d.point.x,      d.point.y,      d.point.z,    d.normal.x,   d.normal.y,   d.normal.z,
-        d.side.x,       d.side.y,       d.side.z,     d.half_side[0], d.half_side[1], p.velocity.x,
-        p.velocity.y,   p.velocity.z,   p.move_from,  p.move_until, p.removed_at};
+        d.point.x,    d.point.y,    d.point.z,   d.normal.x,     d.normal.y,     d.normal.z,
+        d.side.x,     d.side.y,     d.side.z,    d.half_side[0], d.half_side[1], p.velocity.x,
+        p.velocity.y, p.velocity.z, p.move_from, p.move_until,   p.removed_at};
     memcpy(row, numbers, sizeof numbers);
 }
 
@@ -121,8 +139,10 @@ static void store_row(stage_wall *w, const double *r) {
     w->side = (clast_vec3){r[6], r[7], r[8]};
     w->half_side[0] = r[9];
     w->half_side[1] = r[10];
-    w->part = (clast_part_def){.velocity = {r[11], r[12], r[13]}, .move_from = r[14],
-                               .move_until = r[15], .removed_at = r[16]};
+    w->part = (clast_part_def){.velocity = {r[11], r[12], r[13]},
+                               .move_from = r[14],
+                               .move_until = r[15],
+                               .removed_at = r[16]};
 }
 
 static void read_walls(h5_file *f, stage *s) {
@@ -144,7 +164,7 @@ static void read_walls(h5_file *f, stage *s) {
     free(rows), free(kind), free(names);
 }
 
-/* ---- the whole ---------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------- */
 
 void stage_write(h5_file *f, const scene *s) {
     CLAST_ASSERT(f && s && s->world);

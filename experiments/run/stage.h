@@ -1,5 +1,6 @@
-/* stage.h - what stands around the bodies of a run: walls and how they move, the domain, and the view
- * that the scene asks for. Kept in run.h5 from the first moment on, so that pictures need no scene file. */
+/* stage.h - what stands around the bodies of a run: walls and how they move, the domain, and the
+ * view that the scene asks for. Kept in run.h5 from the first moment on, so that pictures need no
+ * scene file. */
 #ifndef CLAST_RUN_STAGE_H
 #define CLAST_RUN_STAGE_H
 
@@ -13,7 +14,7 @@ typedef struct stage_wall {
     clast_wall_kind kind;
     clast_vec3 point, normal, side; /* at t = 0 */
     double half_side[2];
-    clast_part_def part;            /* its motion; without a name */
+    clast_part_def part; /* its motion; without a name */
 } stage_wall;
 
 typedef struct stage {

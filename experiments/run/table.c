@@ -22,11 +22,15 @@ static void put(table *t, const char *text, size_t length) {
     while (!t->failure && done < length) {
         ssize_t n = write(t->descriptor, text + done, length - done);
         if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) note_failure(t, n < 0 ? errno : ENOSPC);
-        else done += (size_t)n;
+        if (n <= 0)
+            note_failure(t, n < 0 ? errno : ENOSPC);
+        else
+            done += (size_t)n;
     }
-    if (!t->failure) t->size += (long)length;
-    else if (done > 0 && ftruncate(t->descriptor, t->size) != 0) note_failure(t, errno);
+    if (!t->failure)
+        t->size += (long)length;
+    else if (done > 0 && ftruncate(t->descriptor, t->size) != 0)
+        note_failure(t, errno);
 }
 
 static void table_open(table *t, const char *path, int mode) {
@@ -108,8 +112,10 @@ void table_begin(table *t, double time, uint64_t step) {
 }
 
 void table_number(table *t, double value) {
-    if (isnan(value)) append(t, ",nan"); /* printf would write -nan for some */
-    else append(t, ",%.17g", value);
+    if (isnan(value))
+        append(t, ",nan"); /* printf would write -nan for some */
+    else
+        append(t, ",%.17g", value);
 }
 
 void table_end(table *t) {

@@ -1,7 +1,7 @@
 /* table.h - a CSV file that grows row by row and survives whatever stops the program.
  *
- * The first two columns are time_s and step. Every row is flushed as a whole; a row that does not fit
- * on the disk is taken back, so the file ends with a whole line. */
+ * The first two columns are time_s and step. Every row is flushed as a whole; a row that does not
+ * fit on the disk is taken back, so the file ends with a whole line. */
 #ifndef CLAST_RUN_TABLE_H
 #define CLAST_RUN_TABLE_H
 

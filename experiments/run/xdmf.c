@@ -1,7 +1,7 @@
 /* xdmf.c - the collection of point clouds that ParaView and OVITO open, in XDMF 3.
  *
- * A grid per frame: element spheres as a polyvertex cloud with radius, speed and body. The heavy data
- * stay in run.h5. */
+ * A grid per frame: element spheres as a polyvertex cloud with radius, speed and body. The heavy
+ * data stay in run.h5. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -11,11 +11,16 @@
 
 static void write_escaped(FILE *to, const char *text) {
     for (; *text; text++) {
-        if (*text == '&') fputs("&amp;", to);
-        else if (*text == '<') fputs("&lt;", to);
-        else if (*text == '>') fputs("&gt;", to);
-        else if (*text == '"') fputs("&quot;", to);
-        else if ((unsigned char)*text >= 32) fputc(*text, to);
+        if (*text == '&')
+            fputs("&amp;", to);
+        else if (*text == '<')
+            fputs("&lt;", to);
+        else if (*text == '>')
+            fputs("&gt;", to);
+        else if (*text == '"')
+            fputs("&quot;", to);
+        else if ((unsigned char)*text >= 32)
+            fputc(*text, to);
     }
 }
 
@@ -23,13 +28,16 @@ static void write_data(FILE *to, const char *group, const char *name, const char
                        int width) {
     fprintf(to, "<DataItem Dimensions=\"%zu", rows);
     if (width > 1) fprintf(to, " %d", width);
-    fprintf(to, "\" NumberType=\"%s\" Precision=\"4\" Format=\"HDF\">" FILE_RUN ":%s/sphere/%s</DataItem>",
+    fprintf(to,
+            "\" NumberType=\"%s\" Precision=\"4\" Format=\"HDF\">" FILE_RUN
+            ":%s/sphere/%s</DataItem>",
             type, group, name);
 }
 
 static void write_attribute(FILE *to, const char *group, const char *name, const char *type,
                             size_t rows) {
-    fprintf(to, "        <Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Node\">\n          ",
+    fprintf(to,
+            "        <Attribute Name=\"%s\" AttributeType=\"Scalar\" Center=\"Node\">\n          ",
             name);
     write_data(to, group, name, type, rows, 1);
     fputs("\n        </Attribute>\n", to);
@@ -41,7 +49,8 @@ static void write_grid(FILE *to, h5_file *archive, const frame_place *place) {
     if (n > 0) { /* readers stumble over an empty grid */
         fprintf(to, "      <Grid Name=\"frame %06ld\" GridType=\"Uniform\">\n", place->number);
         fprintf(to, "        <Time Value=\"%.17g\"/>\n", place->time);
-        fprintf(to, "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%zu\"/>\n", n);
+        fprintf(to, "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%zu\"/>\n",
+                n);
         fputs("        <Geometry GeometryType=\"XYZ\">\n          ", to);
         write_data(to, group, "centre", "Float", n, 3);
         fputs("\n        </Geometry>\n", to);

@@ -15,18 +15,27 @@ static void add_walls(clast_world *w, int steel) {
     int box = clast_part_add(w, &(clast_part_def){.name = "box"});
     int plug = clast_part_add(w, &(clast_part_def){.name = "plug", .removed_at = 0.2});
     int pusher = clast_part_add(
-        w, &(clast_part_def){.name = "pusher", .velocity = {0.05, 0, 0}, .move_from = 0.02,
-                             .move_until = 0.06});
-    clast_wall_def left = {.name = "left", .kind = CLAST_WALL_PLANE, .material = steel,
-                           .point = {-0.002, 0, 0}, .normal = {1, 0, 0}};
-    clast_wall_def right = {.name = "right", .kind = CLAST_WALL_PLANE, .material = steel,
-                            .point = {0.1, 0, 0}, .normal = {-1, 0, 0}};
+        w, &(clast_part_def){
+               .name = "pusher", .velocity = {0.05, 0, 0}, .move_from = 0.02, .move_until = 0.06});
+    clast_wall_def left = {.name = "left",
+                           .kind = CLAST_WALL_PLANE,
+                           .material = steel,
+                           .point = {-0.002, 0, 0},
+                           .normal = {1, 0, 0}};
+    clast_wall_def right = {.name = "right",
+                            .kind = CLAST_WALL_PLANE,
+                            .material = steel,
+                            .point = {0.1, 0, 0},
+                            .normal = {-1, 0, 0}};
     clast_wall_def floors[2];
     for (int i = 0; i < 2; i++)
         floors[i] = (clast_wall_def){.name = i ? "floor right" : "floor left",
-                                     .kind = CLAST_WALL_PLATE, .material = steel,
-                                     .point = {i ? 0.085 : 0.015, 0, 0}, .normal = {0, 0, 1},
-                                     .side = {1, 0, 0}, .half_side = {0.02, 0.02}};
+                                     .kind = CLAST_WALL_PLATE,
+                                     .material = steel,
+                                     .point = {i ? 0.085 : 0.015, 0, 0},
+                                     .normal = {0, 0, 1},
+                                     .side = {1, 0, 0},
+                                     .half_side = {0.02, 0.02}};
     clast_wall_def stop = floors[0];
     stop.name = "plug";
     stop.point.x = 0.05;
@@ -44,8 +53,8 @@ static void add_bodies(clast_world *w, int ball, int bell) {
         clast_body_def b = {
             .shape = i % 3 == 0 ? ball : bell,
             .position = {0.014 + 0.024 * (i % 4) + jitter, 0, 0.014 + 0.022 * (i / 4)},
-            .orientation = clast_quat_axis_angle((clast_vec3){0, 1, 0},
-                                                 6 * clast_random(7, 2, (uint64_t)i)),
+            .orientation =
+                clast_quat_axis_angle((clast_vec3){0, 1, 0}, 6 * clast_random(7, 2, (uint64_t)i)),
             .velocity = {0.3 * (clast_random(7, 3, (uint64_t)i) - 0.5), 0, -0.2}};
         CLAST_ASSERT(clast_body_add(w, &b) >= 0);
     }
@@ -73,9 +82,12 @@ clast_world *bed_world(const bed_options *o) {
     int ball = clast_shape_add_sphere(w, "ball", R, button);
     clast_vec3 centre[2] = {{-0.7 * R, 0, 0}, {0.7 * R, 0, 0}};
     double radius[2] = {0.8 * R, 0.8 * R};
-    int bell = clast_shape_add(w, &(clast_shape_def){.name = "dumb-bell", .material = button,
-                                                     .spheres = 2, .centre = centre,
-                                                     .radius = radius, .mass = 1.1e-3,
+    int bell = clast_shape_add(w, &(clast_shape_def){.name = "dumb-bell",
+                                                     .material = button,
+                                                     .spheres = 2,
+                                                     .centre = centre,
+                                                     .radius = radius,
+                                                     .mass = 1.1e-3,
                                                      .inertia = {1e-8, 2.5e-8, 2.5e-8}});
     CLAST_ASSERT(ball == 0 && bell == 1);
     add_walls(w, steel);
@@ -86,10 +98,20 @@ clast_world *bed_world(const bed_options *o) {
 static const measure MEASURES[] = {
     {.name = "out", .kind = MEASURE_DISCHARGED, .level = 0},
     {.name = "left", .kind = MEASURE_REMAINING, .level = 0},
-    {.name = "bed", .kind = MEASURE_SOLID_FRACTION, .level = 0, .x_min = 0, .x_max = 0.1,
-     .sections = 10, .body_area = 1.1e-4},
-    {.name = "band", .kind = MEASURE_BAND_VELOCITY, .level = 0, .x_min = 0, .x_max = 0.1,
-     .height = 0.02, .thickness = 0.02},
+    {.name = "bed",
+     .kind = MEASURE_SOLID_FRACTION,
+     .level = 0,
+     .x_min = 0,
+     .x_max = 0.1,
+     .sections = 10,
+     .body_area = 1.1e-4},
+    {.name = "band",
+     .kind = MEASURE_BAND_VELOCITY,
+     .level = 0,
+     .x_min = 0,
+     .x_max = 0.1,
+     .height = 0.02,
+     .thickness = 0.02},
     {.name = "partners", .kind = MEASURE_COORDINATION},
     {.name = "push", .kind = MEASURE_PART_LOAD, .part = 2},
 };
@@ -107,8 +129,8 @@ scene *bed_scene(const bed_options *o) {
     memcpy(s->measures, MEASURES, sizeof MEASURES);
     s->measure_count = sizeof MEASURES / sizeof *MEASURES;
     s->ending = (ending){.latest = o->latest > 0 ? o->latest : 0.3};
-    s->output = (output_plan){.frame_every = 0.01, .series_every = 0.002, .checkpoint_every = 0.015,
-                              .contacts = true};
+    s->output = (output_plan){
+        .frame_every = 0.01, .series_every = 0.002, .checkpoint_every = 0.015, .contacts = true};
     return s;
 }
 

@@ -4,14 +4,14 @@
 
 #include "experiments/scene/scene.h"
 
-/* Twenty-four dumb-bells and balls in one layer fall into a box whose plug is pulled at 0.2 s: contacts
- * with history, moving and vanishing walls, bodies that leave. About 20 000 steps. */
+/* Twenty-four dumb-bells and balls in one layer fall into a box whose plug is pulled at 0.2 s:
+ * contacts with history, moving and vanishing walls, bodies that leave. About 20 000 steps. */
 typedef struct bed_options {
     double friction; /* 0 reads as 0.4 */
     double latest;   /* s; 0 reads as 0.3 */
     int threads;     /* 0 reads as 1 */
     double max_overlap;
-    bool empty;      /* no bodies: for inheriting */
+    bool empty; /* no bodies: for inheriting */
 } bed_options;
 
 clast_world *bed_world(const bed_options *o);

@@ -44,10 +44,12 @@ static void going_on_is_never_having_stopped(void **state) {
     for (int i = 0; i <= 4; i++) {
         uint64_t at = end * (uint64_t)i / 4;
         step_to(a, at);
-        assert_int_equal(clast_checkpoint_save(a, in_folder("c.h5"), "a note\nof two lines"), CLAST_OK);
+        assert_int_equal(clast_checkpoint_save(a, in_folder("c.h5"), "a note\nof two lines"),
+                         CLAST_OK);
         clast_world *b = bed_world(&(bed_options){.threads = 1 + i % 3});
         char *note;
-        if (clast_checkpoint_load(b, in_folder("c.h5"), &note)) fail_msg("%s", clast_world_error(b));
+        if (clast_checkpoint_load(b, in_folder("c.h5"), &note))
+            fail_msg("%s", clast_world_error(b));
         assert_string_equal(note, "a note\nof two lines");
         free(note);
         assert_int_equal(clast_world_steps(b), at);
@@ -105,14 +107,18 @@ static void damaged_files_are_refused(void **state) {
         char *bytes = malloc(length);
         memcpy(bytes, whole, length);
         size_t at = (size_t)(clast_random(11, 1, (uint64_t)i) * (double)length), kept = length;
-        if (i % 3 == 0) kept = at;
-        else bytes[at] = (char)(bytes[at] ^ (1 << (i % 8)));
+        if (i % 3 == 0)
+            kept = at;
+        else
+            bytes[at] = (char)(bytes[at] ^ (1 << (i % 8)));
         put(in_folder("damaged.h5"), bytes, kept);
         free(bytes);
         clast_world *b = bed_world(&(bed_options){0});
         clast_status s = clast_checkpoint_load(b, in_folder("damaged.h5"), NULL);
-        if (s != CLAST_OK) refused++, assert_true(strlen(clast_world_error(b)) > 10);
-        else assert_int_equal(clast_world_hash(b), want);
+        if (s != CLAST_OK)
+            refused++, assert_true(strlen(clast_world_error(b)) > 10);
+        else
+            assert_int_equal(clast_world_hash(b), want);
         clast_world_free(b);
     }
     assert_true(refused >= 20); /* all that were cut, at least */

@@ -1,5 +1,5 @@
-/* The command as a user meets it: what it prints, what it writes, and its exit codes. argv[1] is the
- * program; argv[2] the folder of this file. */
+/* The command as a user meets it: what it prints, what it writes, and its exit codes. argv[1] is
+ * the program; argv[2] the folder of this file. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -40,7 +40,9 @@ static int finish(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-static int clast(const char *arguments) { return finish(start(arguments)); }
+static int clast(const char *arguments) {
+    return finish(start(arguments));
+}
 
 static bool said(const char *path, const char *what) {
     size_t length;
@@ -128,7 +130,8 @@ static void threads_lanes_and_stops_leave_the_hash(void **state) {
     assert_true(run_to("avx2", "--threads 3 --isa=avx2") == hash);
     assert_true(run_to("half", "--until 0.0777") != hash);
     assert_true(run_to("half", "--resume --threads 4") == hash);
-    char *a = text_format("%s/plain/series.csv", folder), *b = text_format("%s/half/series.csv", folder);
+    char *a = text_format("%s/plain/series.csv", folder),
+         *b = text_format("%s/half/series.csv", folder);
     size_t n, m;
     char *left = slurp(a, &n), *right = slurp(b, &m);
     assert_int_equal(n, m);
@@ -166,11 +169,13 @@ static void an_interrupt_saves_everything(void **state) {
     free(arguments), free(checkpoint), free(out);
 }
 
-/* Without a way to draw, the command says so; with one, there is a picture for each frame asked for. */
+/* Without a way to draw, the command says so; with one, there is a picture for each frame asked
+ * for. */
 static void frames_become_pictures(void **state) {
     (void)state;
     char *arguments = text_format("render %s/plain --out %s/pictures --frames 1:3:2 --size 200x160 "
-                                  "--preset draft --colour body", folder, folder);
+                                  "--preset draft --colour body",
+                                  folder, folder);
     int code = clast(arguments);
     if (code != CLAST_EXIT_OK) {
         assert_int_equal(code, CLAST_EXIT_FILE);

@@ -1,4 +1,5 @@
-/* Measures against small cases worked out by hand. The moments are made by hand, without a world. */
+/* Measures against small cases worked out by hand. The moments are made by hand, without a world.
+ */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -40,11 +41,21 @@ static moment moment_of(pile *p) {
         for (size_t i = 0; i < p->count; i++)
             if (p->id[i] == id) p->order[n++] = i;
     for (size_t i = 0; i <= p->count; i++) p->first[i] = i;
-    return (moment){.bodies = {.count = p->count, .id = p->id, .x = p->x, .y = p->zero, .z = p->z,
-                               .vx = p->zero, .vy = p->zero, .vz = p->vz, .mass = p->mass},
+    return (moment){.bodies = {.count = p->count,
+                               .id = p->id,
+                               .x = p->x,
+                               .y = p->zero,
+                               .z = p->z,
+                               .vx = p->zero,
+                               .vy = p->zero,
+                               .vz = p->vz,
+                               .mass = p->mass},
                     .spheres = {p->count, p->x, p->zero, p->z, p->radius, p->body},
-                    .order = p->order, .first_sphere = p->first, .with_contacts = true,
-                    .contacts = p->contacts, .contact_count = p->contact_count};
+                    .order = p->order,
+                    .first_sphere = p->first,
+                    .with_contacts = true,
+                    .contacts = p->contacts,
+                    .contact_count = p->contact_count};
 }
 
 static int take(const measure *m, measure_memory *memory, pile *p, double *values) {
@@ -90,8 +101,13 @@ static void remaining_counts_above_the_level(void **state) {
 
 static void band_velocity_is_mean_and_deviation(void **state) {
     (void)state;
-    measure m = {.name = "band", .kind = MEASURE_BAND_VELOCITY, .level = 0.1, .height = 0.4,
-                 .thickness = 0.1, .x_min = 0, .x_max = 1};
+    measure m = {.name = "band",
+                 .kind = MEASURE_BAND_VELOCITY,
+                 .level = 0.1,
+                 .height = 0.4,
+                 .thickness = 0.1,
+                 .x_min = 0,
+                 .x_max = 1};
     measure_memory memory = {0};
     pile p = {0};
     double v[3];
@@ -125,13 +141,18 @@ static void coordination_counts_partners_once(void **state) {
     assert_float_equal(v[1], 1.25, 1e-12); /* and one wall */
 }
 
-/* Ten spheres of radius 0.05 side by side on the level, a section each: the outline is a row of half
- * circles on half squares. */
+/* Ten spheres of radius 0.05 side by side on the level, a section each: the outline is a row of
+ * half circles on half squares. */
 static void solid_fraction_of_a_row(void **state) {
     (void)state;
     const double pi = 3.14159265358979323846;
-    measure m = {.name = "bed", .kind = MEASURE_SOLID_FRACTION, .level = 0.2, .x_min = 0, .x_max = 1,
-                 .sections = 10, .body_area = pi * 0.0025};
+    measure m = {.name = "bed",
+                 .kind = MEASURE_SOLID_FRACTION,
+                 .level = 0.2,
+                 .x_min = 0,
+                 .x_max = 1,
+                 .sections = 10,
+                 .body_area = pi * 0.0025};
     pile p = {0};
     for (uint32_t id = 0; id < 10; id++) {
         put(&p, 9 - id, 0.05 + 0.1 * id, 0.25, 0.05, 0);
@@ -148,12 +169,17 @@ static void solid_fraction_of_a_row(void **state) {
     assert_true(v[4] == 10);
 }
 
-/* One in flight far above counts for nothing; one that hangs by less than its height belongs to the bed;
- * and so does one that touches a wall, wherever it is. */
+/* One in flight far above counts for nothing; one that hangs by less than its height belongs to the
+ * bed; and so does one that touches a wall, wherever it is. */
 static void solid_fraction_leaves_flying_bodies_out(void **state) {
     (void)state;
-    measure m = {.name = "bed", .kind = MEASURE_SOLID_FRACTION, .level = 0, .x_min = 0, .x_max = 1,
-                 .sections = 2, .body_area = 0.01};
+    measure m = {.name = "bed",
+                 .kind = MEASURE_SOLID_FRACTION,
+                 .level = 0,
+                 .x_min = 0,
+                 .x_max = 1,
+                 .sections = 2,
+                 .body_area = 0.01};
     pile p = {0};
     put(&p, 0, 0.25, 0.1, 0.1, 0);
     put(&p, 1, 0.25, 0.9, 0.1, 0);  /* flies: 0.6 above the first */

@@ -1,5 +1,5 @@
-/* A run that is stopped, killed, or finds the disk full leaves readable results, and goes on to the very
- * bytes of a run that was never stopped. */
+/* A run that is stopped, killed, or finds the disk full leaves readable results, and goes on to the
+ * very bytes of a run that was never stopped. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -25,7 +25,9 @@ static char *base;
 static uint64_t whole_hash; /* of the run in base/whole, which nothing disturbed */
 static double whole_seconds;
 
-static char *folder_of(const char *name) { return path_in(base, name); }
+static char *folder_of(const char *name) {
+    return path_in(base, name);
+}
 
 static run_report run_bed(const char *out, bool resume, const bed_options *o) {
     scene *s = bed_scene(o);
@@ -42,7 +44,8 @@ static void assert_same_file(const char *a, const char *b, const char *name) {
     free(pa), free(pb), free(ta), free(tb);
 }
 
-/* Everything that a run leaves, but the parts that hold times of day or of wall clocks: there are none. */
+/* Everything that a run leaves, but the parts that hold times of day or of wall clocks: there are
+ * none. */
 static void assert_same_results(const char *folder) {
     char *whole = folder_of("whole");
     assert_same_file(whole, folder, FILE_SERIES);
@@ -66,7 +69,7 @@ static void assert_same_results(const char *folder) {
     free(whole);
 }
 
-/* ---- an undisturbed run ------------------------------------------------------------------------------ */
+/* ---- an undisturbed run ---------------------------------------------------------------------- */
 
 static void a_run_writes_everything(void **state) {
     (void)state;
@@ -141,7 +144,7 @@ static void paraview_finds_what_it_is_told(void **state) {
     free(command), free(text), free(path), free(archive), free(out);
 }
 
-/* ---- stopped and killed --------------------------------------------------------------------------------- */
+/* ---- stopped and killed ---------------------------------------------------------------------- */
 
 static pid_t start_run(const char *out, bool resume, const bed_options *o, rlim_t largest_file) {
     pid_t child = fork();
@@ -192,8 +195,10 @@ static void disturb(const char *name, int signal_number, uint64_t seed) {
         wait_fraction(0.4 * clast_random(seed, 1, (uint64_t)i));
         kill(child, signal_number);
         int how = finish(child);
-        if (signal_number == SIGKILL) assert_true(how == -SIGKILL || how == RUN_DONE);
-        else assert_true(how == RUN_INTERRUPTED || how == RUN_DONE || how == -signal_number);
+        if (signal_number == SIGKILL)
+            assert_true(how == -SIGKILL || how == RUN_DONE);
+        else
+            assert_true(how == RUN_INTERRUPTED || how == RUN_DONE || how == -signal_number);
         assert_readable(out);
     }
     run_report r = run_bed(out, true, &(bed_options){0});
@@ -232,7 +237,7 @@ static void a_finished_run_can_be_prolonged(void **state) {
     free(out);
 }
 
-/* ---- what must not be mixed up --------------------------------------------------------------------------- */
+/* ---- what must not be mixed up --------------------------------------------------------------- */
 
 static void a_full_folder_is_refused(void **state) {
     (void)state;
@@ -267,7 +272,7 @@ static void a_cut_checkpoint_is_unreadable(void **state) {
     free(path), free(out);
 }
 
-/* ---- disks ------------------------------------------------------------------------------------------------ */
+/* ---- disks ----------------------------------------------------------------------------------- */
 
 /* Any file may grow to so many bytes: frames, rows, checkpoint or archive hit the limit. */
 static void no_room_is_told_and_survived(void **state) {
@@ -276,7 +281,8 @@ static void no_room_is_told_and_survived(void **state) {
     for (size_t i = 0; i < sizeof LIMITS / sizeof *LIMITS; i++) {
         char *name = text_format("full-%zu", i), *out = folder_of(name);
         int how = finish(start_run(out, false, &(bed_options){0}, LIMITS[i]));
-        if (how != RUN_WRITE_FAILED) fail_msg("limit %lu ended in %d", (unsigned long)LIMITS[i], how);
+        if (how != RUN_WRITE_FAILED)
+            fail_msg("limit %lu ended in %d", (unsigned long)LIMITS[i], how);
         char *path = path_in(out, "message");
         size_t length;
         char *message = slurp(path, &length);
@@ -297,7 +303,8 @@ static void no_room_is_told_and_survived(void **state) {
 /* A real full disk, where mounting is allowed. */
 static void a_full_disk_is_told(void **state) {
     (void)state;
-    char *out = folder_of("tmpfs"), *command = text_format("mount -t tmpfs -o size=128k none %s 2>/dev/null", out);
+    char *out = folder_of("tmpfs"),
+         *command = text_format("mount -t tmpfs -o size=128k none %s 2>/dev/null", out);
     assert_int_equal(folder_make(out), 0);
     bool mounted = system(command) == 0;
     free(command);
@@ -329,7 +336,7 @@ static void a_folder_that_cannot_be_is_told(void **state) {
     free(file), free(out);
 }
 
-/* ---- other ends --------------------------------------------------------------------------------------------- */
+/* ---- other ends ------------------------------------------------------------------------------ */
 
 static void a_failed_run_keeps_the_good_checkpoint(void **state) {
     (void)state;

@@ -1,4 +1,5 @@
-/* Tables that grow row by row, the reader of tables, schedules, and files that appear whole or not. */
+/* Tables that grow row by row, the reader of tables, schedules, and files that appear whole or not.
+ */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -29,7 +30,9 @@ static void write_rows(table *t, uint64_t from, uint64_t to) {
     }
 }
 
-static bool before(uint64_t step, const void *context) { return step < *(const uint64_t *)context; }
+static bool before(uint64_t step, const void *context) {
+    return step < *(const uint64_t *)context;
+}
 
 static void tables_come_back_to_the_bit(void **state) {
     (void)state;
@@ -95,7 +98,8 @@ static void a_full_device_is_an_error(void **state) {
 
 static void schedules_depend_on_the_step_alone(void **state) {
     (void)state;
-    static const schedule all[] = {{0.01, 1.3e-5}, {0.1, 0.03}, {0.002, 0.002}, {1e-5, 3e-5}, {0.25, 0.1}};
+    static const schedule all[] = {
+        {0.01, 1.3e-5}, {0.1, 0.03}, {0.002, 0.002}, {1e-5, 3e-5}, {0.25, 0.1}};
     for (size_t s = 0; s < sizeof all / sizeof *all; s++) {
         int64_t index = -1;
         for (uint64_t step = 0; step < 5000; step++) {
