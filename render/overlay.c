@@ -202,14 +202,24 @@ render_status render_overlay_margins(render_font *font, const render_overlay *ov
 
 /* ---- Drawing ---- */
 
-static void fill(render_image *image, int x, int y, int width, int height, render_rgb c) {
+/* A rectangle of which the old pixels keep `kept` of 8 parts. */
+static void paint(render_image *image, int x, int y, int width, int height, render_rgb c,
+                  int kept) {
     for (int j = y < 0 ? 0 : y; j < y + height && j < image->height; j++)
         for (int i = x < 0 ? 0 : x; i < x + width && i < image->width; i++) {
             uint8_t *p = image->rgb + 3 * ((size_t)j * (size_t)image->width + (size_t)i);
-            p[0] = c.r;
-            p[1] = c.g;
-            p[2] = c.b;
+            p[0] = (uint8_t)((p[0] * kept + c.r * (8 - kept)) / 8);
+            p[1] = (uint8_t)((p[1] * kept + c.g * (8 - kept)) / 8);
+            p[2] = (uint8_t)((p[2] * kept + c.b * (8 - kept)) / 8);
         }
+}
+
+static void fill(render_image *image, int x, int y, int width, int height, render_rgb c) {
+    paint(image, x, y, width, height, c, 0);
+}
+
+static void veil(render_image *image, int x, int y, int width, int height, render_rgb c) {
+    paint(image, x, y, width, height, c, 2);
 }
 
 static render_status put(const layout *l, render_style style, const char *text, int x, int y,
@@ -328,6 +338,16 @@ static render_status draw_column(const layout *l, const render_overlay *o, rende
     return status;
 }
 
+/* A note may lie over particles, where a halo alone is not enough: it gets a translucent plate. */
+static render_status draw_note(const layout *l, const render_note *note, render_image *image) {
+    int x = (int)floor(note->x + 0.5), y = (int)floor(note->y + 0.5), width = 0;
+    render_status status = render_text_measure(l->font, l->plain, note->text, &width);
+    if (status != RENDER_OK || width == 0) return status;
+    int margin = l->line / 3;
+    veil(image, x - margin, y - l->line, width + 2 * margin, l->line * 11 / 8, l->ink.halo);
+    return put(l, l->plain, note->text, x, y, image);
+}
+
 render_status render_overlay_draw(render_font *font, const render_overlay *overlay,
                                   render_image *image) {
     RENDER_ASSERT(font && overlay && image);
@@ -338,8 +358,7 @@ render_status render_overlay_draw(render_font *font, const render_overlay *overl
     if (status == RENDER_OK) status = draw_scale(&l, overlay, image);
     if (status == RENDER_OK) status = draw_column(&l, overlay, image);
     for (int i = 0; i < overlay->notes_count && status == RENDER_OK; i++)
-        status = put(&l, l.plain, overlay->notes[i].text, (int)floor(overlay->notes[i].x + 0.5),
-                     (int)floor(overlay->notes[i].y + 0.5), image);
+        status = draw_note(&l, &overlay->notes[i], image);
     return status;
 }
 
