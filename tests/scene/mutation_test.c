@@ -104,12 +104,12 @@ static void damage(const char *victim, long count) {
 
 static void damaged_scenes_end_in_faults_or_a_scene(void **state) {
     (void)state;
-    damage("scene", from_environment("CLAST_MUTATIONS", 1500));
+    damage("scene", from_environment("CLAST_MUTATIONS", 1000));
 }
 
 static void damaged_tables_end_in_faults_or_a_scene(void **state) {
     (void)state;
-    damage("table", from_environment("CLAST_MUTATIONS", 1500) / 3);
+    damage("table", from_environment("CLAST_MUTATIONS", 1000) / 3);
 }
 
 int main(void) {
