@@ -106,7 +106,7 @@ typedef struct hopper_profile {
 typedef struct hopper_summary {
     hopper_mean mean[FILLS][ORIFICES];
     interval rest[FILLS], rest_top[FILLS];
-    beverloo fit;                       /* frictionless fill, all replicates */
+    beverloo fit, fit_wide;             /* frictionless fill, all replicates; D >= 7.5 cm alone */
     interval c_all;                     /* mean C of the five orifices: A00 averages over orifices */
     interval error_percent;             /* mean |error| of the rates, with the interval of the replicates */
     hopper_profile profile[ORIFICES];

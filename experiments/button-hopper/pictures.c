@@ -43,7 +43,7 @@ static int still(const hopper_study *s, const char *folder, double time, const c
     int bad = command((const char *const[]){CLAST_COMMAND, "render", folder, "--out", out, "--frames",
                                             frames, "--colour", colour, NULL});
     if (bad) return bad;
-    snprintf(from, sizeof from, "%s/frame-%06zu.png", out, nearest);
+    snprintf(from, sizeof from, "%s/frame-000000.png", out);
     snprintf(to, sizeof to, "%s.png", out);
     return rename(from, to) == 0 && rmdir(out) == 0 ? 0 : 4;
 }

@@ -47,12 +47,14 @@ static hopper_mean mean_at(const hopper_study *s, int fill, int orifice) {
     return m;
 }
 
-static beverloo fit_all(const hopper_study *s) {
+/* A00 4.5 over all replicates with a rate, from one orifice on. */
+static beverloo fit_from(const hopper_study *s, int first_orifice) {
     double d[REPLICATES_MAX * ORIFICES], q[REPLICATES_MAX * ORIFICES];
     int n = 0;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *r = &s->runs[i];
         if (!r->ran || r->fill != FRICTIONLESS || !isfinite(r->rate[0])) continue;
+        if (r->orifice < first_orifice) continue;
         d[n] = ORIFICE_CM[r->orifice];
         q[n++] = r->rate[0];
     }
@@ -112,7 +114,8 @@ hopper_summary hopper_summarise(const hopper_study *s, const hopper_published *p
         m.rest[fill] = mean_of(s, fill, -1, pick_rest);
         m.rest_top[fill] = mean_of(s, fill, -1, pick_rest_top);
     }
-    m.fit = fit_all(s);
+    m.fit = fit_from(s, 0);
+    m.fit_wide = fit_from(s, 2);
     m.c_all = mean_c(&m);
     m.error_percent = mean_error(&m, p);
     for (int d = 0; d < ORIFICES; d++) m.profile[d] = profile_at(s, d);

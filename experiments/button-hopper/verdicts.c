@@ -26,10 +26,10 @@ static const published *need(const published_table *t, const char *quantity) {
     return p;
 }
 
-/* "rate 6.5 cm" and the like. */
+/* "rate at 6.5 cm" and the like. */
 static const published *need_at(const published_table *t, const char *what, int orifice) {
     char name[80];
-    snprintf(name, sizeof name, "%s %g cm", what, ORIFICE_CM[orifice]);
+    snprintf(name, sizeof name, "%s at %g cm", what, ORIFICE_CM[orifice]);
     return need(t, name);
 }
 
@@ -37,7 +37,7 @@ hopper_published hopper_read_published(void) {
     published_table *t = read_table();
     hopper_published p;
     for (int d = 0; d < ORIFICES; d++) {
-        const published *q = need_at(t, "rate", d), *rho = need_at(t, "bulk density", d),
+        const published *q = need_at(t, "rate", d), *rho = need_at(t, "bulk density in flow", d),
                         *c = need_at(t, "C", d);
         p.q_experiment[d] = q->experiment, p.q_thesis[d] = q->thesis;
         p.rho_experiment[d] = rho->experiment, p.rho_thesis[d] = rho->thesis;
@@ -54,7 +54,7 @@ static void add_orifices(verdict_table *v, const published_table *t, const hoppe
     for (int d = 0; d < ORIFICES; d++)
         verdict_published(v, need_at(t, "rate", d), m->mean[FRICTIONLESS][d].q, s->size->orifice[d]);
     for (int d = 0; d < ORIFICES; d++)
-        verdict_published(v, need_at(t, "bulk density", d), m->mean[FRICTIONLESS][d].rho,
+        verdict_published(v, need_at(t, "bulk density in flow", d), m->mean[FRICTIONLESS][d].rho,
                           s->size->orifice[d]);
     for (int d = 0; d < ORIFICES; d++)
         verdict_published(v, need_at(t, "C", d), m->mean[FRICTIONLESS][d].c, s->size->orifice[d]);
@@ -69,7 +69,7 @@ static void add_profiles(verdict_table *v, const published_table *t, const hoppe
         verdict_published(v, need_at(t, "velocity mean", MEASURED[i]), p->v, have);
         verdict_published(v, need_at(t, "velocity sd", MEASURED[i]),
                           have ? interval_exact(p->v.sd) : nothing(), have);
-        verdict_published(v, need_at(t, "B/d", MEASURED[i]), b, have);
+        verdict_published(v, need_at(t, "B", MEASURED[i]), b, have);
     }
 }
 
@@ -90,12 +90,15 @@ int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const char *
     published_table *t = read_table();
     verdict_table *v = verdict_new("button-hopper");
     bool frictional = s->size->replicates[FRICTIONAL] > 0;
-    verdict_published(v, need(t, "mean rate error"), m->error_percent, true);
-    verdict_published(v, need(t, "solid fraction at rest, frictionless"), m->rest[FRICTIONLESS], true);
-    verdict_published(v, need(t, "solid fraction at rest, frictional"), m->rest[FRICTIONAL], frictional);
-    verdict_published(v, need(t, "mean C"), m->c_all, true);
+    verdict_published(v, need(t, "mean |error| of the rates"), m->error_percent, true);
+    verdict_published(v, need(t, "solid fraction at rest frictionless fill"), m->rest[FRICTIONLESS], true);
+    verdict_published(v, need(t, "solid fraction at rest frictional fill"), m->rest[FRICTIONAL], frictional);
+    verdict_published(v, need(t, "solid fraction at rest placed one by one"), nothing(), false);
+    verdict_published(v, need(t, "C mean of the orifices"), m->c_all, true);
+    verdict_published(v, need(t, "C equal to the experiment"), m->c_all, m->c_all.n > 1);
     verdict_published(v, need(t, "kd"), (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n}, true);
     verdict_published(v, need(t, "k"), (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n}, true);
+    verdict_published(v, need(t, "k from D >= 7.5 cm"), interval_exact(m->fit_wide.k), true);
     add_orifices(v, t, m, s);
     add_profiles(v, t, m);
     print_blocked(m);
