@@ -32,14 +32,14 @@ static void add_walls(clast_world *w, int steel) {
         floors[i] = (clast_wall_def){.name = i ? "floor right" : "floor left",
                                      .kind = CLAST_WALL_PLATE,
                                      .material = steel,
-                                     .point = {i ? 0.085 : 0.015, 0, 0},
+                                     .point = {i ? 0.095 : 0.005, 0, 0},
                                      .normal = {0, 0, 1},
                                      .side = {1, 0, 0},
                                      .half_side = {0.02, 0.02}};
     clast_wall_def stop = floors[0];
     stop.name = "plug";
     stop.point.x = 0.05;
-    stop.half_side[0] = 0.016;
+    stop.half_side[0] = 0.026;
     CLAST_ASSERT(clast_wall_add(w, pusher, &left) == 0);
     CLAST_ASSERT(clast_wall_add(w, box, &right) == 1);
     CLAST_ASSERT(clast_wall_add(w, box, &floors[0]) == 2);
