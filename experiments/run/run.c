@@ -27,11 +27,11 @@ typedef struct run {
     progress progress;
     schedule frames, rows, checkpoints, rest;
     uint64_t last_step, rest_steps;
-    uint64_t quiet_from;  /* step since when nothing has been fast */
-    long next_frame;      /* number of the next frame */
-    uint64_t loaded_step; /* of the checkpoint that was resumed */
-    bool loaded_extra;    /* rows at that step were the end of a run, not due */
-    bool extra;           /* likewise for the checkpoint to be written */
+    uint64_t quiet_from;           /* step since when nothing has been fast */
+    long next_frame;               /* number of the next frame */
+    uint64_t loaded_step;          /* of the checkpoint that was resumed */
+    bool extra_row, extra_frame;   /* at the last step: the end of the run, not due */
+    bool loaded_row, loaded_frame; /* the same of the checkpoint that was resumed */
     run_report report;
 } run;
 
@@ -96,7 +96,7 @@ static char *note_text(const run *r) {
     size_t length;
     FILE *to = open_memstream(&text, &length);
     CLAST_ASSERT(to);
-    fprintf(to, "clast run 1\nextra %d\n", r->extra);
+    fprintf(to, "clast run 1\nextra_row %d\nextra_frame %d\n", r->extra_row, r->extra_frame);
     if (r->quiet_from != NEVER_QUIET)
         fprintf(to, "quiet_from %llu\n", (unsigned long long)r->quiet_from);
     recorder_write_memory(&r->recorder, to);
@@ -105,9 +105,10 @@ static char *note_text(const run *r) {
 }
 
 static void note_read(run *r, const char *note) {
-    const char *quiet = strstr(note, "\nquiet_from "), *extra = strstr(note, "\nextra 1");
+    const char *quiet = strstr(note, "\nquiet_from ");
     if (quiet) r->quiet_from = strtoull(quiet + strlen("\nquiet_from "), NULL, 10);
-    r->loaded_extra = extra != NULL;
+    r->loaded_row = strstr(note, "\nextra_row 1") != NULL;
+    r->loaded_frame = strstr(note, "\nextra_frame 1") != NULL;
     recorder_read_memory(&r->recorder, note);
 }
 
@@ -137,13 +138,19 @@ static bool write_frame(run *r) {
     return true;
 }
 
-static bool keep_step(uint64_t step, const void *context) {
+/* What is kept on resuming: all up to the checkpoint, but not what was written for being the last.
+ */
+static bool keep_row(uint64_t step, const void *context) {
     const run *r = context;
-    return step < r->loaded_step || (step == r->loaded_step && !r->loaded_extra);
+    return step < r->loaded_step || (step == r->loaded_step && !r->loaded_row);
+}
+
+static bool keep_frame_of(const run *r, uint64_t step) {
+    return step < r->loaded_step || (step == r->loaded_step && !r->loaded_frame);
 }
 
 static bool keep_frame(const frame_place *place, const void *context) {
-    return keep_step(place->step, context);
+    return keep_frame_of(context, place->step);
 }
 
 static bool assemble(run *r, const char *end, bool drop_later) {
@@ -215,7 +222,7 @@ static bool load_checkpoint(run *r, const char *path) {
 static bool drop_later_part(const char *part, void *context) {
     h5_file *f = h5_open(part);
     uint64_t step = h5_u64_attribute(f, "/", "step");
-    bool drop = h5_status(f) != CLAST_OK || !keep_step(step, context);
+    bool drop = h5_status(f) != CLAST_OK || !keep_frame_of(context, step);
     h5_free(f);
     return drop;
 }
@@ -232,7 +239,7 @@ static void count_frames(run *r) {
 
 static bool begin_resumed(run *r, const char *checkpoint) {
     if (!load_checkpoint(r, checkpoint)) return false;
-    int failure = recorder_continue(&r->recorder, r->options->out, keep_step, r);
+    int failure = recorder_continue(&r->recorder, r->options->out, keep_row, r);
     if (failure == EINVAL)
         return ends(r, RUN_MISMATCH,
                     "%s/" FILE_SERIES ": has other columns than this scene measures",
@@ -312,11 +319,10 @@ static bool step_until(run *r, uint64_t target) {
 /* The last state is always written, due or not, so that what a run came to can be seen. */
 static bool write_last(run *r) {
     uint64_t now = clast_world_steps(r->world);
-    bool row = r->rows.every > 0 && !schedule_is_due(&r->rows, now);
-    bool frame = r->frames.every > 0 && !schedule_is_due(&r->frames, now);
-    r->extra = row || frame;
-    if (row && !write_row(r)) return false;
-    if (frame && !write_frame(r)) return false;
+    r->extra_row = r->rows.every > 0 && !schedule_is_due(&r->rows, now);
+    r->extra_frame = r->frames.every > 0 && !schedule_is_due(&r->frames, now);
+    if (r->extra_row && !write_row(r)) return false;
+    if (r->extra_frame && !write_frame(r)) return false;
     return write_checkpoint(r);
 }
 
