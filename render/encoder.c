@@ -21,7 +21,8 @@ typedef struct slot {
 
 struct render_encoder {
     char *folder, *stem;
-    render_font *font; /* used by the thread alone once it runs */
+    char *font_path;   /* NULL: the usual places */
+    render_font *font; /* opened by the first push with labels, then used by the thread alone */
     pthread_t thread;
     pthread_mutex_t lock; /* guards all that follows */
     pthread_cond_t filled, emptied;
@@ -96,6 +97,7 @@ static void free_encoder(render_encoder *e) {
     render_font_close(e->font);
     free(e->folder);
     free(e->stem);
+    free(e->font_path);
     free(e);
 }
 
@@ -143,13 +145,13 @@ render_status render_encoder_new(const render_encoder_def *def, render_encoder *
     if (!e) return render_fail(RENDER_ERR_MEMORY, "no memory for an encoder");
     e->folder = strdup(def->folder);
     e->stem = strdup(def->stem);
+    e->font_path = def->font ? strdup(def->font) : NULL;
     e->size = def->queue;
     e->next = def->first;
     e->ring = calloc((size_t)def->queue, sizeof *e->ring);
-    if (!e->folder || !e->stem || !e->ring)
+    if (!e->folder || !e->stem || !e->ring || (def->font && !e->font_path))
         status = render_fail(RENDER_ERR_MEMORY, "no memory for an encoder");
     if (status == RENDER_OK) status = probe_folder(e);
-    if (status == RENDER_OK) status = render_font_open(def->font, &e->font);
     if (status == RENDER_OK) status = start(e);
     if (status == RENDER_OK)
         *encoder = e;
@@ -204,6 +206,10 @@ render_status render_encoder_push(render_encoder *encoder, const render_image *i
     RENDER_ASSERT(encoder && image && (tag_count == 0 || tags));
     if (!image->rgb) return render_fail(RENDER_ERR_ARGUMENT, "encoder: the image is empty");
     render_encoder *e = encoder;
+    if (overlay && !e->font) { /* pictures without labels need no font on the machine */
+        render_status opened = render_font_open(e->font_path, &e->font);
+        if (opened != RENDER_OK) return opened;
+    }
     pthread_mutex_lock(&e->lock);
     while (e->waiting == e->size && e->failure == RENDER_OK)
         pthread_cond_wait(&e->emptied, &e->lock);

@@ -339,7 +339,7 @@ typedef struct render_encoder_def {
     const char *stem;   /* files are folder/stem-000000.png and so on */
     int first;          /* number of the first picture, >= 0 */
     int queue;          /* pictures that may wait, >= 1; push blocks when it is full */
-    const char *font;   /* path, or NULL: see render_font_open() */
+    const char *font;   /* path, or NULL: see render_font_open(); needed for labels only */
     uint32_t magic;     /* set by render_encoder_default() */
 } render_encoder_def;
 

@@ -203,6 +203,11 @@ static void encoder_reports_its_failures(void **state) {
     assert_int_equal(symlink("/dev/full", in_folder("full-000001.png.part")), 0);
     check_ok(render_encoder_new(&def, &encoder));
     paint(&image, 300, 200, 3);
+    render_overlay overlay = {.title = "needs a font"};
+    setenv("CLAST_FONT", "/nowhere/none.ttf", 1);
+    check_refused(render_encoder_push(encoder, &image, &overlay, NULL, 0), RENDER_ERR_UNAVAILABLE,
+                  "CLAST_FONT");
+    unsetenv("CLAST_FONT");
     render_status status = RENDER_OK;
     int pushed = 0;
     while (status == RENDER_OK && pushed < 100)
