@@ -1,1 +1,27 @@
 # Programs of the engine tests that are not cmocka programs.
+
+# one hash, whatever variants of libm the processor would get
+add_executable(engine_hash_program engine/hash_program.c)
+target_link_libraries(engine_hash_program PRIVATE test_support)
+add_test(NAME engine_masked_libm COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:engine_hash_program>
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/engine/test_masked.cmake)
+clast_label(engine_masked_libm)
+
+# the law once in plain scalar code without optimisation, and once per instruction set
+add_executable(engine_law_lanes engine/law_lanes.c)
+target_link_libraries(engine_law_lanes PRIVATE test_support)
+function(add_law_lanes name)
+    add_library(law_${name} OBJECT engine/law_lanes_run.c)
+    add_library(law_flags_${name} INTERFACE) # linked last: the last -O counts
+    target_compile_options(law_flags_${name} INTERFACE ${ARGN})
+    target_link_libraries(law_${name} PRIVATE clast_flags law_flags_${name})
+    target_compile_definitions(law_${name} PRIVATE LAW_RUN=law_run_${name})
+    target_sources(engine_law_lanes PRIVATE $<TARGET_OBJECTS:law_${name}>)
+endfunction()
+add_law_lanes(scalar -O0 -Wno-unknown-pragmas)
+add_law_lanes(baseline -O3 -fopenmp-simd)
+add_law_lanes(avx2 -O3 -fopenmp-simd -mavx2 -mfma)
+add_law_lanes(avx512 -O3 -fopenmp-simd -mavx512f -mavx512dq -mavx512vl -mavx512bw
+    -mprefer-vector-width=512)
+add_test(NAME engine_law_lanes COMMAND engine_law_lanes)
+clast_label(engine_law_lanes)
