@@ -30,6 +30,7 @@ extern const char *const FILL_NAME[FILLS];
 
 #define LINEAR_R2        0.99 /* the linear part of a cumulative curve */
 #define ARCH_MIN_S       0.06 /* a pause of this length is a temporary arch: two video frames show it */
+#define ARCH_PART        0.8  /* of what flows out in all: behind it the last buttons trickle from the heap */
 #define BLOCKED_LEFT     50   /* more left than this, and nothing moves: the orifice is blocked */
 
 /* ---- sizes ---------------------------------------------------------------------------------------------- */
@@ -125,17 +126,18 @@ hopper_summary hopper_summarise(const hopper_study *s, const hopper_published *p
 /* ---- sensitivity --------------------------------------------------------------------------------------------- */
 
 typedef struct hopper_variant {
+    int orifice;
     char assumption[64], variant[64];
     interval q, rest;
     int blocked;
 } hopper_variant;
 
 typedef struct hopper_sensitivity {
-    int orifice, count;
-    hopper_variant variants[VARIANTS_MAX]; /* the first is the baseline */
+    int count;
+    hopper_variant variants[VARIANTS_MAX]; /* the first of each orifice is its baseline */
 } hopper_sensitivity;
 
-/* Runs and measures all variants at one orifice; count = 0 when the size has none. */
+/* Runs and measures all variants; count = 0 when the size has none. */
 int hopper_sensitivity_run(const hopper_study *s, hopper_sensitivity *out);
 
 /* ---- writing ---------------------------------------------------------------------------------------------------- */
@@ -148,7 +150,8 @@ int hopper_write_tables(const hopper_study *s, const hopper_summary *m, const ho
 int hopper_pictures(const hopper_study *s);
 
 /* verdicts.c: prints the comparison and writes it; 0 when all are met. */
-int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const char *folder);
+int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const hopper_published *p,
+                    const char *csv);
 hopper_published hopper_read_published(void);
 
 #endif

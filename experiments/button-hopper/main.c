@@ -54,9 +54,9 @@ static void open_study(hopper_study *s, const char *size_name) {
     s->processes = jobs_processes();
 }
 
-static int validate(hopper_study *s, const hopper_summary *m) {
+static int validate(hopper_study *s, const hopper_summary *m, const hopper_published *p) {
     make_folder(BUILD_FOLDER "/validate");
-    return hopper_verdicts(s, m, BUILD_FOLDER "/validate");
+    return hopper_verdicts(s, m, p, BUILD_FOLDER "/validate/button-hopper.csv");
 }
 
 static int figures(hopper_study *s, const hopper_summary *m, const hopper_published *p) {
@@ -90,6 +90,6 @@ int main(int argc, char **argv) {
     hopper_summary m = hopper_summarise(&s, &p);
     s.seconds = seconds() - since;
     if (failed) fprintf(stderr, "button-hopper: %d runs failed\n", failed);
-    int verdict = wants_figures ? figures(&s, &m, &p) : validate(&s, &m);
+    int verdict = wants_figures ? figures(&s, &m, &p) : validate(&s, &m, &p);
     return verdict ? verdict : failed ? 1 : 0;
 }

@@ -37,9 +37,11 @@ static void measure_rates(hopper_run *h, const results *r) {
 }
 
 static void measure_arches(hopper_run *h, const results *r) {
-    int n = (int)results_rows(r);
+    int n = (int)results_rows(r), flowing = 0;
+    const double *out = column(r, "out_count");
+    while (flowing < n && out[flowing] < ARCH_PART * out[n - 1]) flowing++;
     arch events[200];
-    h->arch = arch_events(column(r, "time_s"), column(r, "out_count"), n, ARCH_MIN_S, events, 200);
+    h->arch = arch_events(column(r, "time_s"), out, flowing, ARCH_MIN_S, events, 200);
     h->left = (int)column(r, "left_count")[n - 1];
     h->blocked = h->left > BLOCKED_LEFT;
     h->first_arch_at = NAN;

@@ -184,11 +184,12 @@ static int write_sensitivity(const hopper_study *s, const hopper_sensitivity *v)
     FILE *f = open_table(s, "sensitivity.csv", "assumption,variant,baseline,orifice_cm,n,q_mean,q_half,"
                          "q_baseline,change_percent,blocked,rest_mean,rest_half");
     if (!f) return 4;
-    double base = v->variants[0].q.mean;
+    double base = NAN;
     for (int i = 0; i < v->count; i++) {
         const hopper_variant *h = &v->variants[i];
+        if (i == 0 || h->orifice != v->variants[i - 1].orifice) base = h->q.mean;
         fprintf(f, "%s,\"%s\",%s,%g,%d,%.3f,%.3f,%.3f,%.2f,%d,%.4f,%.4f\n", h->assumption, h->variant,
-                v->variants[0].variant, ORIFICE_CM[v->orifice], h->q.n, h->q.mean, h->q.half, base,
+                v->variants[0].variant, ORIFICE_CM[h->orifice], h->q.n, h->q.mean, h->q.half, base,
                 100 * (h->q.mean / base - 1), h->blocked, h->rest.mean, h->rest.half);
     }
     return close_table(f);

@@ -86,7 +86,18 @@ static void print_blocked(const hopper_summary *m) {
         }
 }
 
-int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const char *folder) {
+/* A00 Table 4.6: C over the orifices, ours against the experiment and against the thesis. */
+static void print_c_test(const hopper_summary *m, const hopper_published *p) {
+    const double *against[] = {p->c_experiment, p->c_thesis};
+    static const char *const NAME[] = {"experiment", "thesis"};
+    for (int i = 0; i < 2; i++) {
+        t_test t = t_test_pooled(m->c_all, mean_interval(against[i], ORIFICES));
+        printf("C over the orifices, t-test against the %s: t = %.2f, P = %.2f\n", NAME[i], t.t, t.p);
+    }
+}
+
+int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const hopper_published *p,
+                    const char *csv) {
     published_table *t = read_table();
     verdict_table *v = verdict_new("button-hopper");
     bool frictional = s->size->replicates[FRICTIONAL] > 0;
@@ -102,8 +113,11 @@ int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const char *
     add_orifices(v, t, m, s);
     add_profiles(v, t, m);
     print_blocked(m);
+    print_c_test(m, p);
+    printf("solid fraction at rest with the top of each section as its height: %.3f frictionless, %.3f"
+           " frictional\n", m->rest_top[FRICTIONLESS].mean, m->rest_top[FRICTIONAL].mean);
     printf("largest energy residual of a discharge: %.2g of the energy put in\n", m->worst_residual);
-    int code = verdict_finish(v, folder, stdout);
+    int code = verdict_finish(v, csv, stdout);
     verdict_free(v);
     published_free(t);
     return code;
