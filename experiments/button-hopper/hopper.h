@@ -29,7 +29,7 @@ extern const char *const FILL_NAME[FILLS];
 /* ---- what we chose (README.md, "Assumptions") ---------------------------------------------------------- */
 
 #define LINEAR_R2        0.99 /* the linear part of a cumulative curve */
-#define ARCH_MIN_S       0.06 /* a pause of this length is a temporary arch: two video frames show it */
+#define ARCH_MIN_S       VIDEO_FRAME_S /* a pause that leaves a video frame without a discharge */
 #define ARCH_PART        0.8  /* of what flows out in all: behind it the last buttons trickle from the heap */
 #define BLOCKED_LEFT     50   /* more left than this, and nothing moves: the orifice is blocked */
 
