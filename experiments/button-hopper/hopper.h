@@ -30,6 +30,7 @@ extern const char *const FILL_NAME[FILLS];
 
 #define LINEAR_R2        0.99 /* the linear part of a cumulative curve */
 #define ARCH_MIN_S       VIDEO_FRAME_S /* a pause that leaves a video frame without a discharge */
+#define PAUSE_MIN_S      0.015         /* the longest of these is reported and drawn, arch or not */
 #define ARCH_PART        0.8  /* of what flows out in all: behind it the last buttons trickle from the heap */
 #define BLOCKED_LEFT     50   /* more left than this, and nothing moves: the orifice is blocked */
 
@@ -62,8 +63,8 @@ typedef struct hopper_run {
     double phi_rest, phi_rest_top;  /* solid fraction before the flow: mean outline, and top of each section */
     double phi_flow, rho_flow;      /* mean over the steady part; rho in g/cm2 */
     double c;                       /* A00 4.5 with kd = 0.89 cm, per cm */
-    arches arch;
-    double first_arch_at;           /* s, of the longest arch; NAN without one */
+    int arch_count;                 /* pauses of ARCH_MIN_S and more while the bed flows */
+    arch pause;                     /* the longest pause then; length 0 without one */
     double residual;                /* largest |energy residual| over the energy put in so far, at the end */
     int velocity_count;
     double *velocity_x, *velocity;  /* cm, m/s: band at 9 cm, displacement over one video frame */
@@ -95,6 +96,7 @@ typedef struct hopper_mean {
     interval q, rho, phi, c;
     interval q_r2[3];
     int runs, blocked, with_arch;
+    double longest_pause; /* s */
 } hopper_mean;
 
 typedef struct hopper_profile {

@@ -41,16 +41,13 @@ static void measure_arches(hopper_run *h, const results *r) {
     const double *out = column(r, "out_count");
     while (flowing < n && out[flowing] < ARCH_PART * out[n - 1]) flowing++;
     arch events[200];
-    h->arch = arch_events(column(r, "time_s"), out, flowing, ARCH_MIN_S, events, 200);
+    arches pauses = arch_events(column(r, "time_s"), out, flowing, PAUSE_MIN_S, events, 200);
+    for (int i = 0; i < pauses.n && i < 200; i++) {
+        h->arch_count += events[i].length >= ARCH_MIN_S;
+        if (events[i].length > h->pause.length) h->pause = events[i];
+    }
     h->left = (int)column(r, "left_count")[n - 1];
     h->blocked = h->left > BLOCKED_LEFT;
-    h->first_arch_at = NAN;
-    double longest = 0;
-    for (int i = 0; i < h->arch.n && i < 200; i++)
-        if (events[i].length > longest) {
-            longest = events[i].length;
-            h->first_arch_at = events[i].start;
-        }
 }
 
 /* ---- densities --------------------------------------------------------------------------------------------- */

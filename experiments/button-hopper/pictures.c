@@ -56,13 +56,13 @@ static const hopper_run *run_of(const hopper_study *s, int fill, int orifice, in
     return NULL;
 }
 
-/* The longest temporary arch at the smallest orifice that was run. */
-static const hopper_run *longest_arch(const hopper_study *s) {
+/* The run at 5 cm with the longest pause while its bed flowed. */
+static const hopper_run *longest_pause(const hopper_study *s) {
     const hopper_run *best = NULL;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *r = &s->runs[i];
-        if (!r->ran || r->fill != FRICTIONLESS || r->orifice != 0 || r->arch.n == 0) continue;
-        if (!best || r->arch.longest > best->arch.longest) best = r;
+        if (!r->ran || r->fill != FRICTIONLESS || r->orifice != 0 || r->pause.length == 0) continue;
+        if (!best || r->pause.length > best->pause.length) best = r;
     }
     return best;
 }
@@ -84,10 +84,10 @@ int hopper_pictures(const hopper_study *s) {
         if (s->size->replicates[fill] > 0)
             bad |= still(s, s->beds[fill == 0 ? 0 : s->size->replicates[0]].folder, 1e9,
                          fill == FRICTIONLESS ? "bed-frictionless" : "bed-frictional", "initial-height");
-    const hopper_run *wide = run_of(s, FRICTIONLESS, ORIFICES - 1, 0), *arched = longest_arch(s);
+    const hopper_run *wide = run_of(s, FRICTIONLESS, ORIFICES - 1, 0), *arched = longest_pause(s);
     if (wide) bad |= still(s, wide->folder, 0.08, "zones-10cm", "speed-bands");
     if (arched)
-        bad |= still(s, arched->folder, arched->first_arch_at + 0.5 * arched->arch.longest, "arch-5cm",
+        bad |= still(s, arched->folder, arched->pause.start + 0.5 * arched->pause.length, "arch-5cm",
                      "speed");
     if (wide) bad |= animation(s, wide);
     return bad ? 4 : 0;

@@ -42,7 +42,8 @@ static hopper_mean mean_at(const hopper_study *s, int fill, int orifice) {
         if (!r->ran || r->fill != fill || r->orifice != orifice) continue;
         m.runs++;
         m.blocked += r->blocked;
-        m.with_arch += r->arch.n > 0;
+        m.with_arch += r->arch_count > 0;
+        m.longest_pause = fmax(m.longest_pause, r->pause.length);
     }
     return m;
 }

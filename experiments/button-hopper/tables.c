@@ -75,8 +75,8 @@ static int write_rates(const hopper_study *s) {
         if (!h->ran) continue;
         fprintf(f, "%s,%g,%d,%.3f,%.4f,%.4f,%d,%d,%.5f,%.5f,%.5f,%.4f,%d,%.4f\n", FILL_NAME[h->fill],
                 ORIFICE_CM[h->orifice], h->replicate + 1, h->rate[0], h->steady.from, h->steady.to,
-                h->blocked, h->left, h->phi_rest, h->phi_flow, h->rho_flow, h->c, h->arch.n,
-                h->arch.longest);
+                h->blocked, h->left, h->phi_rest, h->phi_flow, h->rho_flow, h->c, h->arch_count,
+                h->pause.length);
     }
     return close_table(f);
 }

@@ -79,9 +79,10 @@ static void print_blocked(const hopper_summary *m) {
         for (int d = 0; d < ORIFICES; d++) {
             const hopper_mean *h = &m->mean[fill][d];
             if (h->runs == 0) continue;
-            printf("%s, %g cm: %d runs, %d blocked, %d without a rate, %d with a temporary arch; rate"
-                   " at R2 0.98 / 0.99 / 0.995: %.1f / %.1f / %.1f g/s\n", FILL_NAME[fill],
+            printf("%s, %g cm: %d runs, %d blocked, %d without a rate, %d with an arch, longest pause"
+                   " %.0f ms; rate at R2 0.98 / 0.99 / 0.995: %.1f / %.1f / %.1f g/s\n", FILL_NAME[fill],
                    ORIFICE_CM[d], h->runs, h->blocked, h->runs - h->q.n, h->with_arch,
+                   1000 * h->longest_pause,
                    h->q_r2[1].mean, h->q_r2[0].mean, h->q_r2[2].mean);
         }
 }
