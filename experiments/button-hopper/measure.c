@@ -43,7 +43,7 @@ static void measure_arches(hopper_run *h, const results *r) {
     arch events[200];
     arches pauses = arch_events(column(r, "time_s"), out, flowing, PAUSE_MIN_S, events, 200);
     for (int i = 0; i < pauses.n && i < 200; i++) {
-        h->arch_count += events[i].length >= ARCH_MIN_S;
+        h->arch_count += events[i].length > ARCH_MIN_S - 0.001; /* sampled, at multiples of a step */
         if (events[i].length > h->pause.length) h->pause = events[i];
     }
     h->left = (int)column(r, "left_count")[n - 1];
