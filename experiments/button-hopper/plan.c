@@ -12,8 +12,8 @@ const char *const FILL_NAME[FILLS] = {"frictionless", "frictional"};
 
 static const hopper_size SIZES[] = {
     {"quick", {1, 0}, {false, false, true, false, true}, "4.5 us", "0.8 s", 0},
-    {"published", {5, 1}, {true, true, true, true, true}, "2.3 us", "2 s", 5},
-    {"full", {20, 20}, {true, true, true, true, true}, "2.3 us", "2 s", 20},
+    {"published", {5, 1}, {true, true, true, true, true}, "2.3 us", "1.5 s", 4},
+    {"full", {20, 20}, {true, true, true, true, true}, "2.3 us", "1.5 s", 20},
 };
 
 const hopper_size *hopper_size_named(const char *name) {
