@@ -34,6 +34,7 @@ typedef struct batch {
     /* history: in and out */
     double old_overlap[LANES], sx[LANES], sy[LANES], sz[LANES];
     double old_fx[LANES], old_fy[LANES], old_fz[LANES];
+    double old_power[LANES], swing[LANES]; /* W, m/s: see the work of a contact in contact_kernel.c */
     /* out */
     double fx[LANES], fy[LANES], fz[LANES], lost_normal[LANES], lost_tangential[LANES];
 } batch;
@@ -106,11 +107,10 @@ LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
     /* Work over the last step, trapezoidal in the force (exact for leapfrog, see ledger.c). Elastic
      * energy is a function of state, so what an integration error creates shows in the residual. */
     double old_f_n = b->old_fx[i] * nx + b->old_fy[i] * ny + b->old_fz[i] * nz;
-    double work = 0.5 * dt * ((b->old_fx[i] + fx) * b->vx[i] + (b->old_fy[i] + fy) * b->vy[i] +
-                              (b->old_fz[i] + fz) * b->vz[i]);
-    double dashpot = (old_f_n - old.force) + (f_n - now.force);
-    double lost_normal = -0.5 * dt * dashpot * v_n;
-    double elastic_work = 0.5 * dt * (old.force + now.force) * v_n;
+    double work = 0.5 * dt * (b->old_power[i] + (fx * b->vx[i] + fy * b->vy[i] + fz * b->vz[i]));
+    double old_v_n = v_n - b->swing[i];
+    double lost_normal = -0.5 * dt * ((old_f_n - old.force) * old_v_n + (f_n - now.force) * v_n);
+    double elastic_work = 0.5 * dt * (old.force * old_v_n + now.force * v_n);
     double stored = now.k_t > 0 ? 0.5 * (sx * sx + sy * sy + sz * sz) / now.k_t : 0.0;
     b->lost_normal[i] = lost_normal;
     b->lost_tangential[i] = -(work - elastic_work + lost_normal) - (stored - old_stored);
