@@ -1,7 +1,7 @@
 # title: Beverloo plot
 # counterpart: A00 Fig. 4.17
 # needs: summary.csv beverloo.csv
-# caption: q^⅔ against orifice width with least-squares lines, drawn down to where they meet q = 0: that width is kd of eq. 4.5. Ours: all replicates of the frictionless fill, the points show means with 95 % intervals. Lines of experiment and thesis are refitted from Tables 4.4 and 4.5.
+# caption: The rate to the power ⅔ against orifice width with least-squares lines, drawn down to where they meet q = 0: that width is kd of eq. 4.5. Ours: all replicates of the frictionless fill, the points show means with 95 % intervals. Lines of experiment and thesis are refitted from Tables 4.4 and 4.5.
 width = 12; height = 9
 load style
 entry(set, column) = number(system(sprintf("awk -F, '$1 == \"%s\" { v = $%d } END { print v }' '%s/beverloo.csv'", set, column, data)))

@@ -8,7 +8,7 @@ band(d) = sprintf("< awk -v fill=frictionless -v orifice=%g -v column=5 -v hold=
 total = 66.4   # g, 200 buttons of 0.332 g
 slope(d) = number(system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g { v = $7 } END { print v }' '%s/summary.csv'", d, data)))
 begin(d) = number(system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g && $5 != \"nan\" { s += $5; n++ } END { print n ? s / n : 0 }' '%s/rates.csv'", d, data)))
-runs(d) = system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g { n++; b += $7 } END { printf \"%%d run%%s%%s\", n, n == 1 ? \"\" : \"s\", b ? \", \" b \" blocked\" : \"\" }' '%s/rates.csv'", d, data))
+runs(d) = system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g { n++; b += $7 } END { if (!n) printf \"not run at this size\"; else printf \"%%d run%%s%%s\", n, n == 1 ? \"\" : \"s\", b ? \", \" b \" blocked\" : \"\" }' '%s/rates.csv'", d, data))
 stats data.'/cumulative.csv' using 4 nooutput
 end = STATS_max > 2 ? 2 : STATS_max
 

@@ -8,5 +8,5 @@ band(d) = sprintf("< awk -F, 'NR == 1 || 200 - $6 > 50' '%s/cumulative.csv' | aw
 set format y '%.2f'
 set xlabel 'time (s)'; set ylabel 'solid fraction'
 set xrange [0:*]; set yrange [*:*]
-set key top right title 'orifice width' left
+set tmargin at screen 1 - up(0.9); set key at screen 0.56,1 - up(0.12) center top maxrows 1
 plot for [i=1:5] band(orifice[i]) using 1:2 with lines lw 1.5 lc rgb colour[i] title sprintf('%g cm', orifice[i])

@@ -25,14 +25,13 @@ do for [i=1:2] {
     set ylabel (i == 1 ? 'vertical velocity (m/s)' : '')
     set label 1 sprintf('{/:Bold D = %g cm}', D) at graph 0.02,1.04 left tc rgb ink
     v0 = entry(D, 'centre', 3); b = entry(D, 'centre', 4); v1 = entry(D, 'free', 3); b1 = entry(D, 'free', 4)
-    set label 2 sprintf('B = %.2f d', entry(D, 'centre', 5)) at graph 0.02,0.15 left tc rgb ours
-    set label 3 sprintf('B = %.2f d, v_0 free', entry(D, 'free', 5)) at graph 0.02,0.07 left tc rgb ours
+    set label 2 sprintf('B = %.2f d  (%.2f d, v_0 free)', entry(D, 'centre', 5), entry(D, 'free', 5)) at graph 1,1.04 right tc rgb ours
     set label 4 'mean ± sd' at first 9.2, graph 0.03 center tc rgb faint font small
     set arrow 1 from first 7.5, graph 0 to first 7.5, graph 1 nohead lw 0.5 lc rgb hair
     m = entry(D, 'centre', 7); s = entry(D, 'centre', 8)
     plot rows('velocity_samples', sprintf('$1 == %g', D)) using 3:4 with points pt 7 ps 0.3 lc rgb ours_light, \
-         [-7.5:7.5] model(x, v1, b1) with lines lw 1 dt (6,4) lc rgb ours title 'v_0 free', \
          [-7.5:7.5] model(x, v0, b) with lines lw 1.8 lc rgb ours title 'Clast', \
+         [-7.5:7.5] model(x, v1, b1) with lines lw 1 dt (6,4) lc rgb ours title 'v_0 free', \
          '+' using (8.25):(mean_experiment[i]):(sd_experiment[i]) every ::0::0 with yerrorbars pt 7 ps 0.7 lw 1 lc rgb experiment title 'experiment', \
          '+' using (9.25):(mean_thesis[i]):(sd_thesis[i]) every ::0::0 with yerrorbars pt 9 ps 0.7 lw 1 lc rgb thesis title 'thesis', \
          '+' using (10.25):(m):(s) every ::0::0 with yerrorbars pt 7 ps 0.7 lw 1.2 lc rgb ours
