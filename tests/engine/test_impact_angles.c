@@ -15,7 +15,7 @@ static double worst_gain(collision c, double resolution) {
     double worst = -1;
     c.resolution = resolution;
     for (int m = 0; m < 3; m++)
-        for (int a = 0; a <= 89; a += a < 72 ? 12 : a < 84 ? 6 : 5) {
+        for (int a = 0; a <= 89; a += a < 72 ? 18 : a < 84 ? 6 : 5) {
             c.pair.friction = FRICTIONS[m];
             c.angle = a * PI / 180;
             c.spin = a % 3 * 170 - 160;
