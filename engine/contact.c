@@ -36,18 +36,18 @@ static void clear_tallies(clast_world *w) {
 
 /* The sums are exact, so the order of the threads does not matter; the totals grow step by step. */
 static void add_tallies(clast_world *w) {
-    exact_sum damping = {0, 0}, friction = {0, 0};
+    exact_sum elastic = {0, 0}, dashpot = {0, 0};
     size_t contacts = 0;
     double overlap = 0;
     for (int t = 0; t < w->threads; t++) {
         const contact_tally *tally = &w->tallies[t];
-        sum_merge(&damping, &tally->damping);
-        sum_merge(&friction, &tally->friction);
+        sum_merge(&elastic, &tally->elastic);
+        sum_merge(&dashpot, &tally->dashpot);
         contacts += tally->contacts;
         overlap = tally->overlap_max > overlap ? tally->overlap_max : overlap;
     }
-    w->ledger.damping += sum_value(&damping);
-    w->ledger.friction += sum_value(&friction);
+    w->ledger.elastic += sum_value(&elastic);
+    w->ledger.dashpot += sum_value(&dashpot);
     for (int p = 0; p < w->part_count; p++) {
         exact_sum work = {0, 0};
         for (int t = 0; t < w->threads; t++) sum_merge(&work, &w->tallies[t].part_work[p]);
@@ -78,22 +78,25 @@ void contacts_restore(clast_world *w) {
     }
 }
 
-double contact_elastic_energy(const clast_world *w, const pair *p, size_t c) {
+stored_energy contact_stored_energy(const clast_world *w, const pair *p, size_t c) {
     const pair_coef *k = &w->coefs[p->coef];
     const history *h = &w->list.candidates.histories[c];
     double s2 = v3_dot(h->spring, h->spring), d = h->overlap;
     if (w->def.law == CLAST_LAW_LINEAR)
-        return 0.5 * k->stiffness * d * d + 0.5 * s2 / k->tangential;
+        return (stored_energy){0.5 * k->stiffness * d * d, 0.5 * s2 / k->tangential};
     double a = sqrt(w->list.candidates.radius[c] * d);
-    return 8.0 / 15.0 * k->e_star * a * d * d + 0.5 * s2 / (8 * k->g_star * a);
+    return (stored_energy){8.0 / 15.0 * k->e_star * a * d * d, 0.5 * s2 / (8 * k->g_star * a)};
 }
 
-double contacts_elastic_energy(const clast_world *w) {
+stored_energy contacts_stored_energy(const clast_world *w) {
     const pair_list *l = &w->list;
-    exact_sum sum = {0, 0};
+    exact_sum normal = {0, 0}, tangential = {0, 0};
     for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++)
-            if (l->candidates.touching[c])
-                sum_add(&sum, &w->ledger.scale, contact_elastic_energy(w, &l->pairs[p], c));
-    return sum_value(&sum);
+        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
+            if (!l->candidates.touching[c]) continue;
+            stored_energy e = contact_stored_energy(w, &l->pairs[p], c);
+            sum_add(&normal, &w->ledger.scale, e.normal);
+            sum_add(&tangential, &w->ledger.scale, e.tangential);
+        }
+    return (stored_energy){sum_value(&normal), sum_value(&tangential)};
 }

@@ -42,34 +42,14 @@ static void narrow_walls(const clast_world *w, size_t begin, int count, double *
 
 /* ---- filling a batch ---------------------------------------------------------------------------------- */
 
-/* One side of a contact: a body, or a wall with its surface. */
-typedef struct side {
-    vec3 origin, velocity, spin, surface; /* surface: velocity of a belt on top */
-} side;
-
-static side side_of_body(const clast_world *w, int32_t slot) {
-    const body_store *b = &w->bodies;
-    return (side){v3(b->x[slot], b->y[slot], b->z[slot]), v3(b->vx[slot], b->vy[slot], b->vz[slot]),
-                  v3(b->wx[slot], b->wy[slot], b->wz[slot]), {0, 0, 0}};
+static vec3 velocity_at(const body_store *b, int32_t slot, vec3 arm) {
+    vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
+    return v3_add(v3(b->vx[slot], b->vy[slot], b->vz[slot]), v3_cross(spin, arm));
 }
 
-static side side_of_wall(const clast_world *w, int32_t index) {
-    const wall *l = &w->walls[index];
-    vec3 velocity = w->parts[l->part].velocity;
-    return (side){{0, 0, 0}, velocity, {0, 0, 0}, v3_sub(l->surface_velocity, velocity)};
-}
-
-static vec3 velocity_at(const side *s, vec3 arm) { return v3_add(s->velocity, v3_cross(s->spin, arm)); }
-
-static bool tumbles(const clast_world *w, int32_t slot) {
-    return !w->shapes[w->bodies.shape[slot]].round_inertia;
-}
-
-/* Change of the spin in a second without torque: that of A L with A turning and L fixed, -A (w x L). */
-static vec3 body_tumble(const clast_world *w, int32_t slot) {
-    const body_store *b = &w->bodies;
-    vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]), l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
-    return v3_scale(-1, body_spin_of(w, b->shape[slot], body_orientation(w, (size_t)slot), v3_cross(spin, l)));
+static vec3 velocity_of_b(const clast_world *w, const pair *p, const touch *t) {
+    if (p->b < 0) return w->walls[-1 - p->b].surface_velocity;
+    return velocity_at(&w->bodies, p->b, t->arm_b);
 }
 
 static void load_history(batch *b, int i, const history *h) {
@@ -84,58 +64,22 @@ static void load_coefficients(batch *b, int i, const pair_coef *c) {
     b->damping[i] = c->damping, b->friction[i] = c->friction, b->cohesion[i] = c->cohesion;
 }
 
-static vec3 centre_of(const sphere_store *s, int32_t sphere) {
-    return v3(s->x[sphere], s->y[sphere], s->z[sphere]);
-}
-
-/* The work of a contact over a step is half of the old force times the velocity of the old contact point
- * and half of the new ones. The old point is found by going back along the motion of the two spheres:
- * they turn their line of centres (by `turned`) and change their overlap. Without this the books would be
- * of first order wherever contact points travel. A sphere on a wall turns no line (an edge is taken for
- * a face). */
-static void load_old_work(const clast_world *w, batch *b, int i, const pair *p, const touch *t, uint32_t c,
-                          const side *sa, const side *sb, vec3 now) {
-    const sphere_store *s = &w->spheres;
-    int32_t ea = w->list.candidates.a[c], eb = w->list.candidates.b[c];
-    vec3 centre_a = velocity_at(sa, v3_sub(centre_of(s, ea), sa->origin)), turned = {0, 0, 0}, between;
-    double reach = s->radius[ea];
-    if (eb >= 0) {
-        between = v3_sub(centre_a, velocity_at(sb, v3_sub(centre_of(s, eb), sb->origin)));
-        vec3 across = v3_sub(between, v3_scale(v3_dot(between, t->normal), t->normal));
-        turned = v3_scale(1 / (reach + s->radius[eb] - t->overlap), across);
-    } else between = v3_sub(centre_a, sb->velocity);
-    double closing = -v3_dot(between, t->normal), arm = reach - 0.5 * t->overlap;
-    vec3 point = v3_add(centre_a, v3_sub(v3_scale(0.5 * closing, t->normal), v3_scale(arm, turned)));
-    vec3 back = v3_sub(v3_cross(sa->spin, v3_sub(point, sa->velocity)),
-                       v3_cross(sb->spin, v3_sub(point, sb->velocity)));
-    if (w->def.motion == CLAST_MOTION_3D) {
-        if (tumbles(w, p->a)) back = v3_add(back, v3_cross(body_tumble(w, p->a), t->arm_a));
-        if (eb >= 0 && tumbles(w, p->b)) back = v3_sub(back, v3_cross(body_tumble(w, p->b), t->arm_b));
-    }
-    vec3 old = v3_sub(now, v3_scale(w->contact_dt, back));
-    b->old_power[i] = b->old_fx[i] * old.x + b->old_fy[i] * old.y + b->old_fz[i] * old.z;
-    b->swing[i] = w->contact_dt * (v3_dot(turned, now) + v3_dot(t->normal, back));
-}
-
 static void load_contact(const clast_world *w, batch *b, batch_places *places, uint32_t pair_index,
                          uint32_t c) {
     const pair *p = &w->list.pairs[pair_index];
     int i = b->count++;
     places->pair[i] = pair_index;
     places->candidate[i] = c;
-    touch t = touch_of(w, p, c);
-    side sa = side_of_body(w, p->a), sb = p->b < 0 ? side_of_wall(w, -1 - p->b) : side_of_body(w, p->b);
-    vec3 v = v3_sub(v3_sub(velocity_at(&sa, t.arm_a), velocity_at(&sb, t.arm_b)), sb.surface);
-    b->nx[i] = t.normal.x, b->ny[i] = t.normal.y, b->nz[i] = t.normal.z;
+    touch *t = &places->touch[i];
+    *t = touch_of(w, p, c);
+    vec3 v = v3_sub(velocity_at(&w->bodies, p->a, t->arm_a), velocity_of_b(w, p, t));
+    b->nx[i] = t->normal.x, b->ny[i] = t->normal.y, b->nz[i] = t->normal.z;
     b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
-    b->overlap[i] = t.overlap;
+    b->overlap[i] = t->overlap;
     b->radius[i] = w->list.candidates.radius[c];
     b->mass[i] = p->mass;
     load_coefficients(b, i, &w->coefs[p->coef]);
     load_history(b, i, &w->list.candidates.histories[c]);
-    b->old_power[i] = b->swing[i] = 0;
-    if (b->old_overlap[i] > 0) load_old_work(w, b, i, p, &t, c, &sa, &sb, v);
-    places->touch[i] = t;
 }
 
 /* ---- the law over all lanes ------------------------------------------------------------------------------ */
@@ -207,8 +151,8 @@ static void flush_batch(clast_world *w, batch *b, const batch_places *places, co
     if (b->count == 0) return;
     evaluate_law(b, &w->def, w->contact_dt);
     for (int i = 0; i < b->count; i++) {
-        sum_add(&tally->damping, &w->ledger.scale, b->lost_normal[i]);
-        sum_add(&tally->friction, &w->ledger.scale, b->lost_tangential[i]);
+        sum_add(&tally->elastic, &w->ledger.scale, b->work_elastic[i]);
+        sum_add(&tally->dashpot, &w->ledger.scale, b->work_dashpot[i]);
     }
     for (int i = 0; i < b->count; i++) store_contact(w, b, places, i, tally);
     b->count = 0;

@@ -34,9 +34,8 @@ typedef struct batch {
     /* history: in and out */
     double old_overlap[LANES], sx[LANES], sy[LANES], sz[LANES];
     double old_fx[LANES], old_fy[LANES], old_fz[LANES];
-    double old_power[LANES], swing[LANES]; /* W, m/s: see the work of a contact in contact_kernel.c */
     /* out */
-    double fx[LANES], fy[LANES], fz[LANES], lost_normal[LANES], lost_tangential[LANES];
+    double fx[LANES], fy[LANES], fz[LANES], work_elastic[LANES], work_dashpot[LANES];
 } batch;
 
 typedef struct law_choice {
@@ -87,7 +86,6 @@ LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
     /* turn the spring into the tangent plane of now, at its length */
     double sx = b->sx[i], sy = b->sy[i], sz = b->sz[i];
     double length2 = sx * sx + sy * sy + sz * sz, along = sx * nx + sy * ny + sz * nz;
-    double old_stored = old.k_t > 0 ? 0.5 * length2 / old.k_t : 0.0;
     sx -= along * nx, sy -= along * ny, sz -= along * nz;
     double flat2 = sx * sx + sy * sy + sz * sz;
     double keep = flat2 > 0 ? sqrt(length2 / flat2) : 0.0;
@@ -104,16 +102,13 @@ LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
     clip = limited(fx * fx + fy * fy + fz * fz, limit);
     fx = clip * fx + f_n * nx, fy = clip * fy + f_n * ny, fz = clip * fz + f_n * nz;
 
-    /* Work over the last step, trapezoidal in the force (exact for leapfrog, see ledger.c). Elastic
-     * energy is a function of state, so what an integration error creates shows in the residual. */
+    /* Work of the normal force over the last step: mean of the forces at its ends times the change of the
+     * overlap (ledger.c). Where a contact begins or ends there is a way, but not all of it is overlap. */
     double old_f_n = b->old_fx[i] * nx + b->old_fy[i] * ny + b->old_fz[i] * nz;
-    double work = 0.5 * dt * (b->old_power[i] + (fx * b->vx[i] + fy * b->vy[i] + fz * b->vz[i]));
-    double old_v_n = v_n - b->swing[i];
-    double lost_normal = -0.5 * dt * ((old_f_n - old.force) * old_v_n + (f_n - now.force) * v_n);
-    double elastic_work = 0.5 * dt * (old.force * old_v_n + now.force * v_n);
-    double stored = now.k_t > 0 ? 0.5 * (sx * sx + sy * sy + sz * sz) / now.k_t : 0.0;
-    b->lost_normal[i] = lost_normal;
-    b->lost_tangential[i] = -(work - elastic_work + lost_normal) - (stored - old_stored);
+    bool lasting = overlap > 0 && b->old_overlap[i] > 0;
+    double way = lasting ? overlap - b->old_overlap[i] : -dt * v_n;
+    b->work_elastic[i] = -0.5 * (old.force + now.force) * way;
+    b->work_dashpot[i] = -0.5 * ((old_f_n - old.force) + (f_n - now.force)) * way;
     b->fx[i] = fx, b->fy[i] = fy, b->fz[i] = fz;
     b->sx[i] = sx, b->sy[i] = sy, b->sz[i] = sz;
     b->old_overlap[i] = overlap;

@@ -41,6 +41,6 @@ uint64_t clast_world_hash(const clast_world *world) {
         h = mix(mix(mix(mix(h, r->a), r->b), (uint64_t)r->sphere_a), (uint64_t)r->sphere_b);
         h = mix_vec(mix_vec(mix_double(h, r->history.overlap), r->history.spring), r->history.force);
     }
-    h = mix_double(mix_double(h, w->ledger.damping), w->ledger.friction);
+    h = mix_double(mix_double(mix_double(h, w->ledger.work), w->ledger.elastic), w->ledger.dashpot);
     return mix_double(mix_double(h, w->ledger.global), w->ledger.wall_work);
 }

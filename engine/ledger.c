@@ -1,10 +1,13 @@
 /* ledger.c - where the energy is and what went where.
  *
- * Kept exactly for the leapfrog: the work of a contact force over a step is the mean of the forces at
- * its two ends times the way between, and the kinetic energy is v(n-1/2).v(n+1/2)/2. Dashpots, sliding
- * and walls are booked so; elastic energy is a function of the overlap. What does not add up is then the
- * error of integrating the contact (order dt^2 inside, dt^2.5 at the onset), and it is what grows when a
- * step is too large: the residual is the failure detector. */
+ * Kept exactly for the leapfrog. The kinetic energy is v(n-1/2).v(n+1/2)/2 and what the contact forces do to
+ * a body in one kick is force times mean velocity: these two agree to rounding. Of this work, the normal
+ * forces do the mean of the forces at the two ends of a step times the change of the overlap; what walls
+ * and tangential springs do not account for of the rest is friction. Elastic energy is a function of the
+ * overlap. What does not add up is then the error of integrating the normal contact (order dt^2 inside,
+ * dt^2.5 at the onset), and it is what grows when a step is too large: the residual is the failure detector.
+ * Rejected: the work of every tangential force by itself. Contact points travel, so it is of first order
+ * unless the old point is kept or found again (a third more work per contact). */
 #include "engine/numbers.h"
 #include "engine/world.h"
 
@@ -26,7 +29,8 @@ static double elastic_bound(const clast_world *w) {
     for (size_t p = 0; p < l->pair_count; p++)
         for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
             if (!l->candidates.touching[c]) continue;
-            most = fmax(most, contact_elastic_energy(w, &l->pairs[p], c));
+            stored_energy e = contact_stored_energy(w, &l->pairs[p], c);
+            most = fmax(most, e.normal + e.tangential);
             count++;
         }
     return most * count;
@@ -57,9 +61,12 @@ clast_energy clast_world_energy(clast_world *w) {
     CLAST_ASSERT(w && w->prepared);
     const ledger *l = &w->ledger;
     velocities_synchronise(w);
+    stored_energy stored = contacts_stored_energy(w);
+    double tangential_work = l->work + w->view.work_arrived - l->wall_work - l->elastic - l->dashpot;
     clast_energy e = {.kinetic = w->view.kinetic, .rotational = w->view.rotational,
-                      .gravity = gravity_of(w), .elastic = contacts_elastic_energy(w),
-                      .damping = l->damping, .friction = l->friction,
+                      .gravity = gravity_of(w), .elastic = stored.normal + stored.tangential,
+                      .damping = -l->dashpot,
+                      .friction = -tangential_work - (stored.tangential - l->start_tangential),
                       .global = l->global + w->view.half_global,
                       .wall_work = l->wall_work, .removed = l->removed};
     double total = e.kinetic + e.rotational + e.gravity + e.elastic + e.damping + e.friction +
@@ -76,11 +83,12 @@ void ledger_set_scale(clast_world *w) { w->ledger.scale = sum_scale_for(energy_s
 /* Books the state at step 0 as the start. */
 void ledger_start(clast_world *w) {
     ledger *l = &w->ledger;
-    l->damping = l->friction = l->global = l->wall_work = l->removed = l->removed_gravity = 0;
-    l->start_total = l->start_gravity = 0;
+    *l = (ledger){.scale = l->scale};
     for (int p = 0; p < w->part_count; p++) w->parts[p].work_total = 0;
     clast_energy e = clast_world_energy(w);
-    l->global = -e.global; /* a step's loss is half of the kick at either end */
+    l->global = -w->view.half_global; /* a step is half of the kick at either end */
+    l->work = -w->view.work_arrived;
+    l->start_tangential = contacts_stored_energy(w).tangential;
     l->start_gravity = e.gravity;
     l->start_total = e.kinetic + e.rotational + e.gravity + e.elastic;
 }
@@ -96,4 +104,11 @@ void ledger_remove_body(clast_world *w, size_t slot) {
     double gravity = -mass * v3_dot(above, w->def.gravity);
     w->ledger.removed_gravity += gravity;
     w->ledger.removed += gravity + 0.5 * mass * v3_dot(v, next) + 0.5 * v3_dot(l, spin);
+}
+
+/* Contacts whose partner has gone take what they stored along. Needs the list without them. */
+void ledger_remove_contacts(clast_world *w, stored_energy before) {
+    stored_energy now = contacts_stored_energy(w);
+    w->ledger.removed += (before.normal - now.normal) + (before.tangential - now.tangential);
+    w->ledger.start_tangential -= before.tangential - now.tangential;
 }

@@ -76,6 +76,8 @@ static quat orientation_after(const clast_world *w, const shape *s, quat q, vec3
 typedef struct kick {
     vec3 velocity, momentum; /* after */
     double global_loss;      /* J */
+    double contact_work;     /* J, of the contact forces in this kick: exact */
+    double contact_arrived;  /* J, the half of it that belongs to the way up to now */
 } kick;
 
 static vec3 in_plane(const clast_world *w, vec3 a) {
@@ -95,17 +97,21 @@ static kick kicked(const clast_world *w, size_t i) {
         torque = v3_sub(torque, in_plane(w, torque));
     }
     double f = 0.5 * w->def.global_damping * w->dt;
-    kick k = {v3_add(v, v3_scale(w->dt, a)), v3_add(l, v3_scale(w->dt, torque)), 0};
-    if (f == 0) return k;
-    k.velocity = v3_scale(1 / (1 + f), v3_add(v3_scale(1 - f, v), v3_scale(w->dt, a)));
-    k.momentum = v3_scale(1 / (1 + f), v3_add(v3_scale(1 - f, l), v3_scale(w->dt, torque)));
+    kick k = {v3_add(v, v3_scale(w->dt, a)), v3_add(l, v3_scale(w->dt, torque)), 0, 0, 0};
+    if (f != 0) {
+        k.velocity = v3_scale(1 / (1 + f), v3_add(v3_scale(1 - f, v), v3_scale(w->dt, a)));
+        k.momentum = v3_scale(1 / (1 + f), v3_add(v3_scale(1 - f, l), v3_scale(w->dt, torque)));
+    }
     vec3 middle = v3_scale(0.5, v3_add(v, k.velocity)), turn = v3_scale(0.5, v3_add(l, k.momentum));
     vec3 spin = body_spin_of(w, b->shape[i], body_orientation(w, i), turn);
+    k.contact_work = w->dt * (v3_dot(force, middle) + v3_dot(torque, spin));
+    vec3 spin_before = v3(b->wx[i], b->wy[i], b->wz[i]);
+    k.contact_arrived = 0.5 * w->dt * (v3_dot(force, v) + v3_dot(torque, spin_before));
     k.global_loss = 2 * f * (s->mass * v3_dot(middle, middle) + v3_dot(turn, spin));
     return k;
 }
 
-static double advance_one(clast_world *w, size_t i) {
+static void advance_one(clast_world *w, size_t i, body_tally *t) {
     body_store *b = &w->bodies;
     const shape *s = &w->shapes[b->shape[i]];
     kick k = kicked(w, i);
@@ -119,7 +125,8 @@ static double advance_one(clast_world *w, size_t i) {
     b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
     b->lx[i] = l.x, b->ly[i] = l.y, b->lz[i] = l.z;
     b->wx[i] = spin.x, b->wy[i] = spin.y, b->wz[i] = spin.z;
-    return k.global_loss;
+    sum_add(&t->contact, &w->ledger.scale, k.contact_work);
+    sum_add(&t->global, &w->ledger.scale, k.global_loss);
 }
 
 /* Upper bounds without square roots: (a + b)^2 <= 2 a^2 + 2 b^2. A bound that is somewhat too large
@@ -154,10 +161,8 @@ static void advance_range(void *context, size_t begin, size_t end, int thread) {
     double stale2 = 0.25 * w->skin * w->skin;
     bool plane = w->def.motion == CLAST_MOTION_IN_PLANE && w->def.global_damping == 0;
     for (size_t i = begin; i < end; i++) {
-        double loss = 0;
-        if (plane) plane_advance(w, i);
-        else loss = advance_one(w, i);
-        if (loss != 0) sum_add(&t->global, &w->ledger.scale, loss);
+        if (plane) plane_advance(w, i, t);
+        else advance_one(w, i, t);
         if (!(moved2(w, i) < stale2)) t->stale = true;
         double way2 = step2(w, i);
         if (!(way2 <= t->step2_max)) t->step2_max = way2 == way2 ? way2 : INFINITY;
@@ -170,16 +175,18 @@ static void advance_range(void *context, size_t begin, size_t end, int thread) {
 void bodies_advance(clast_world *w) {
     for (int t = 0; t < w->threads; t++) w->body_tallies[t] = (body_tally){.step2_max = 0};
     parallel_for(w->threads, w->bodies.count, advance_range, w);
-    exact_sum global = {0, 0};
+    exact_sum global = {0, 0}, contact = {0, 0};
     w->found = (body_tally){.step2_max = 0};
     for (int t = 0; t < w->threads; t++) {
         const body_tally *b = &w->body_tallies[t];
         sum_merge(&global, &b->global);
+        sum_merge(&contact, &b->contact);
         w->found.stale |= b->stale;
         w->found.outside |= b->outside;
         if (b->step2_max > w->found.step2_max) w->found.step2_max = b->step2_max;
     }
     w->ledger.global += sum_value(&global);
+    w->ledger.work += sum_value(&contact);
     if (w->found.stale) w->list.stale = true;
 }
 
@@ -236,7 +243,7 @@ void velocities_synchronise(clast_world *w) {
         return;
     }
     const body_store *b = &w->bodies;
-    exact_sum kinetic = {0, 0}, rotational = {0, 0}, global = {0, 0};
+    exact_sum kinetic = {0, 0}, rotational = {0, 0}, global = {0, 0}, work = {0, 0};
     for (size_t i = 0; i < b->count; i++) {
         kick k = kicked(w, i);
         double mass = w->shapes[b->shape[i]].mass;
@@ -251,8 +258,10 @@ void velocities_synchronise(clast_world *w) {
         sum_add(&kinetic, &w->ledger.scale, 0.5 * mass * v3_dot(v, k.velocity));
         sum_add(&rotational, &w->ledger.scale, 0.5 * v3_dot(l, after));
         sum_add(&global, &w->ledger.scale, 0.5 * k.global_loss);
+        sum_add(&work, &w->ledger.scale, k.contact_arrived);
     }
     w->view.kinetic = sum_value(&kinetic);
     w->view.rotational = sum_value(&rotational);
     w->view.half_global = sum_value(&global);
+    w->view.work_arrived = sum_value(&work);
 }

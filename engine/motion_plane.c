@@ -38,7 +38,7 @@ static load load_of(const clast_world *w, const plane *p, size_t slot) {
     return sum;
 }
 
-void plane_advance(clast_world *w, size_t i) {
+void plane_advance(clast_world *w, size_t i, body_tally *t) {
     body_store *b = &w->bodies;
     const shape *s = &w->shapes[b->shape[i]];
     plane p = plane_of(w);
@@ -47,7 +47,11 @@ void plane_advance(clast_world *w, size_t i) {
     double vu = p.vel[p.u][i] + dt * (s->inverse_mass * f.u + v3_at(w->def.gravity, p.u));
     double vv = p.vel[p.v][i] + dt * (s->inverse_mass * f.v + v3_at(w->def.gravity, p.v));
     double l = p.l[p.a][i] + dt * f.turn;
-    double spin = v3_at(s->inverse_inertia, p.a) * l;
+    double inverse = v3_at(s->inverse_inertia, p.a), spin = inverse * l;
+    double middle_u = 0.5 * (p.vel[p.u][i] + vu), middle_v = 0.5 * (p.vel[p.v][i] + vv);
+    double middle_spin = inverse * (0.5 * (p.l[p.a][i] + l));
+    sum_add(&t->contact, &w->ledger.scale,
+            dt * ((f.u * middle_u + f.v * middle_v) + f.turn * middle_spin));
     p.vel[p.u][i] = vu, p.vel[p.v][i] = vv;
     p.l[p.a][i] = l, p.w[p.a][i] = spin;
     p.x[p.u][i] += dt * vu, p.x[p.v][i] += dt * vv;

@@ -133,12 +133,12 @@ static void lap(double *since, double *into) {
 static clast_status refresh_neighbours(clast_world *w) {
     if (!w->list.stale && !w->found.outside) return CLAST_OK;
     bool leaving = w->found.outside || w->parts_changed;
-    double stored = leaving ? contacts_elastic_energy(w) : 0;
+    stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
     records_collect(w);
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
     if (s) return s;
     pairs_rebuild(w);
-    if (leaving) w->ledger.removed += stored - contacts_elastic_energy(w);
+    if (leaving) ledger_remove_contacts(w, before);
     w->parts_changed = false;
     return CLAST_OK;
 }

@@ -177,7 +177,7 @@ typedef struct record_list {
 
 /* What one thread finds out during a contact pass. */
 typedef struct contact_tally {
-    exact_sum damping, friction; /* J */
+    exact_sum elastic, dashpot;  /* J, work of the normal forces */
     exact_sum *part_work;        /* J, per part */
     double overlap_max;          /* of the smaller radius; infinite when a force is not a number */
     size_t contacts;
@@ -187,6 +187,7 @@ typedef struct contact_tally {
 /* What one thread finds out while it moves bodies. */
 typedef struct body_tally {
     exact_sum global;  /* J, lost to global damping */
+    exact_sum contact; /* J, work of the contact forces */
     double step2_max;  /* m2, longest way of a sphere in this step, squared; infinite when not a number */
     bool stale, outside;
     char pad[64];
@@ -204,7 +205,10 @@ typedef struct cell_grid {
 
 typedef struct ledger {
     sum_scale scale;
-    double damping, friction, global, wall_work; /* J so far; global: less half of the first kick */
+    double work;                                 /* J, of the contact forces on all bodies so far */
+    double elastic, dashpot;                     /* J, of that by normal springs and dashpots */
+    double global, wall_work;                    /* J, so far */
+    double start_tangential;                     /* J in tangential springs at step 0, less what has left */
     double removed, removed_gravity;             /* J carried off: in all, and by height alone */
     double start_total, start_gravity;           /* J at step 0 */
 } ledger;
@@ -248,6 +252,7 @@ struct clast_world {
         size_t capacity;
         double kinetic, rotational; /* J */
         double half_global;         /* J, half of what global damping takes in the next kick */
+        double work_arrived;        /* J, the part of the next kick's work that belongs to the way so far */
     } view;
 
     struct { /* scratch of the neighbour search */
@@ -304,13 +309,16 @@ void records_reserve(clast_world *w, size_t count);
 void contacts_evaluate(clast_world *w);
 void contacts_restore(clast_world *w);
 void contacts_choose_kernel(clast_world *w);
-double contact_elastic_energy(const clast_world *w, const pair *p, size_t candidate);
-double contacts_elastic_energy(const clast_world *w);
+typedef struct stored_energy {
+    double normal, tangential; /* J */
+} stored_energy;
+stored_energy contact_stored_energy(const clast_world *w, const pair *p, size_t candidate);
+stored_energy contacts_stored_energy(const clast_world *w);
 
 /* motion.c */
 void bodies_advance(clast_world *w);
 void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque);
-void plane_advance(clast_world *w, size_t slot);
+void plane_advance(clast_world *w, size_t slot, body_tally *tally);
 void plane_place_spheres(clast_world *w, size_t body_begin, size_t body_end);
 void velocities_start(clast_world *w);
 void velocities_synchronise(clast_world *w);
@@ -319,6 +327,7 @@ void velocities_synchronise(clast_world *w);
 void ledger_set_scale(clast_world *w);
 void ledger_start(clast_world *w);
 void ledger_remove_body(clast_world *w, size_t slot);
+void ledger_remove_contacts(clast_world *w, stored_energy before);
 clast_status guards_check(clast_world *w);
 clast_status guards_check_start(clast_world *w);
 clast_status guards_check_energy(clast_world *w);

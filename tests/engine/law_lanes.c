@@ -71,7 +71,7 @@ static void the_law_keeps_its_promises(void **state) {
             double fn = b.fx[i] * b.nx[i] + b.fy[i] * b.ny[i] + b.fz[i] * b.nz[i];
             double f2 = b.fx[i] * b.fx[i] + b.fy[i] * b.fy[i] + b.fz[i] * b.fz[i];
             double ft = sqrt(fmax(0, f2 - fn * fn)), size = sqrt(f2);
-            assert_true(isfinite(f2) && isfinite(b.lost_normal[i]) && isfinite(b.lost_tangential[i]));
+            assert_true(isfinite(f2) && isfinite(b.work_elastic[i]) && isfinite(b.work_dashpot[i]));
             assert_true(fn >= -1e-12 * size); /* never pulls */
             if (in.overlap[i] <= 0) assert_true(f2 == 0 && b.sx[i] == 0 && b.old_overlap[i] == 0);
             if (choice.limit == CLAST_LIMIT_TOTAL) /* Coulomb */
