@@ -157,7 +157,7 @@ function headline(rest,    part, q, v) {
     if (!tiles) print "<div class=\"tiles\">"
     tiles = 1
     v = verdict[q, "verdict"]
-    printf "<div class=\"tile\"><p class=\"label\">%s</p><p class=\"number\">%s</p><p class=\"beside\">experiment %s · thesis %s</p><p class=\"says %s\">%s</p></div>\n", \
+    printf "<div class=\"tile\"><p class=\"label\">%s</p><p class=\"number\">%s</p><p class=\"beside\">experiment %s<br>thesis simulation %s</p><p class=\"says %s\">%s</p></div>\n", \
         escape(part[2]) (unit_of(q) != "" ? " (" substr(unit_of(q), 2) ")" : ""), ours(q, 1), dash(verdict[q, "experiment"]), dash(verdict[q, "thesis"]), class_of(v), v
 }
 
