@@ -15,14 +15,16 @@ quat body_orientation(const clast_world *w, size_t slot) {
 /* A position that is not a number is outside. */
 bool body_is_outside(const clast_world *w, size_t slot) {
     vec3 p = body_position(w, slot), lo = w->def.domain_min, hi = w->def.domain_max;
-    return !(p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z);
+    return !(p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z &&
+             p.z <= hi.z);
 }
 
 /* Spin of a body with this angular momentum: omega = R I^-1 R^T L. */
 vec3 body_spin_of(const clast_world *w, int32_t shape_index, quat q, vec3 l) {
     const shape *s = &w->shapes[shape_index];
     if (w->def.motion == CLAST_MOTION_IN_PLANE || s->round_inertia)
-        return v3_mul(s->inverse_inertia, l); /* in a plane, l has one component: about a principal axis */
+        return v3_mul(s->inverse_inertia,
+                      l); /* in a plane, l has one component: about a principal axis */
     mat3 r = q_matrix(q);
     return m3_apply(&r, v3_mul(s->inverse_inertia, m3_apply_transposed(&r, l)));
 }
@@ -155,8 +157,9 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
         return world_fail(w, CLAST_ERR_ARGUMENT, "body %u: orientation is not a unit quaternion",
                           w->next_id), -1;
     if (!is_finite(def->position) || !is_finite(def->velocity) || !is_finite(def->spin))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "body %u: position, velocity or spin is not finite",
-                          w->next_id), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT,
+                          "body %u: position, velocity or spin is not finite", w->next_id),
+               -1;
     body_store *b = &w->bodies;
     body_reserve(w, b->count + 1);
     size_t i = b->count++;

@@ -6,9 +6,12 @@
 static void bounds_of(const body_store *b, vec3 *low, vec3 *high) {
     *low = *high = v3(b->x[0], b->y[0], b->z[0]);
     for (size_t i = 1; i < b->count; i++) {
-        low->x = b->x[i] < low->x ? b->x[i] : low->x, high->x = b->x[i] > high->x ? b->x[i] : high->x;
-        low->y = b->y[i] < low->y ? b->y[i] : low->y, high->y = b->y[i] > high->y ? b->y[i] : high->y;
-        low->z = b->z[i] < low->z ? b->z[i] : low->z, high->z = b->z[i] > high->z ? b->z[i] : high->z;
+        low->x = b->x[i] < low->x ? b->x[i] : low->x,
+        high->x = b->x[i] > high->x ? b->x[i] : high->x;
+        low->y = b->y[i] < low->y ? b->y[i] : low->y,
+        high->y = b->y[i] > high->y ? b->y[i] : high->y;
+        low->z = b->z[i] < low->z ? b->z[i] : low->z,
+        high->z = b->z[i] > high->z ? b->z[i] : high->z;
     }
 }
 
@@ -54,7 +57,8 @@ static void reserve(clast_world *w, size_t cells) {
     }
 }
 
-/* Counting sort of the bodies by cell; afterwards cell c holds slots cell_first[c] .. cell_first[c+1]. */
+/* Counting sort of the bodies by cell; afterwards cell c holds slots cell_first[c] ..
+ * cell_first[c+1]. */
 void cells_sort(clast_world *w, double reach) {
     body_store *b = &w->bodies;
     cell_grid g = cells_grid(w, reach);
@@ -67,7 +71,8 @@ void cells_sort(clast_world *w, double reach) {
         first[w->cells.cell_of[i] + 1]++;
     }
     for (size_t c = 0; c < cells; c++) first[c + 1] += first[c];
-    for (size_t i = 0; i < b->count; i++) w->cells.order[first[w->cells.cell_of[i]]++] = (uint32_t)i;
+    for (size_t i = 0; i < b->count; i++)
+        w->cells.order[first[w->cells.cell_of[i]]++] = (uint32_t)i;
     for (size_t c = cells; c > 0; c--) first[c] = first[c - 1];
     first[0] = 0;
     body_permute(w, w->cells.order);

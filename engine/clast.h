@@ -77,7 +77,12 @@ typedef enum clast_unloading {
 typedef enum clast_motion { CLAST_MOTION_3D, CLAST_MOTION_IN_PLANE } clast_motion;
 typedef enum clast_guard_mode { CLAST_GUARD_STOP, CLAST_GUARD_REPORT } clast_guard_mode;
 typedef enum clast_outside { CLAST_OUTSIDE_STOP, CLAST_OUTSIDE_REMOVE } clast_outside;
-typedef enum clast_isa { CLAST_ISA_AUTO, CLAST_ISA_BASELINE, CLAST_ISA_AVX2, CLAST_ISA_AVX512 } clast_isa;
+typedef enum clast_isa {
+    CLAST_ISA_AUTO,
+    CLAST_ISA_BASELINE,
+    CLAST_ISA_AVX2,
+    CLAST_ISA_AVX512
+} clast_isa;
 
 typedef struct clast_world_def {
     clast_vec3 gravity;         /* m/s2 */
@@ -91,7 +96,7 @@ typedef struct clast_world_def {
     double time_step;          /* s; 0 asks for the smaller of the next two limits */
     double rayleigh_fraction;  /* of the Rayleigh step, A00 1.28; in (0, 1] */
     double contact_resolution; /* steps in the shortest expected contact; >= 5 */
-    double impact_speed;       /* m/s, fastest expected impact; 0 takes the fall through the domain */
+    double impact_speed; /* m/s, fastest expected impact; 0 takes the fall through the domain */
 
     clast_vec3 domain_min, domain_max; /* m; bodies stay inside */
     clast_outside outside;             /* what happens to a body whose centre leaves the domain */
@@ -101,7 +106,7 @@ typedef struct clast_world_def {
     double max_displacement;   /* of the smallest radius, in one step; typical 0.1 */
     double max_residual;       /* of the energy put in; typical 0.05 */
 
-    double skin;    /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
+    double skin; /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
     int threads;    /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
     clast_isa isa;  /* vector lanes of the contact kernel; never observable */
     uint64_t seed;  /* the only source of randomness of a run */
@@ -119,7 +124,8 @@ void clast_world_free(clast_world *w);
 /* The last failure of this world in one or more lines; "" when there was none. */
 const char *clast_world_error(const clast_world *w);
 
-/* ---- what a scene is made of: every add returns an index >= 0, or -1 with clast_world_error() -- */
+/* ---- what a scene is made of: every add returns an index >= 0, or -1 with clast_world_error() --
+ */
 
 typedef struct clast_material_def {
     const char *name;
@@ -149,8 +155,8 @@ typedef struct clast_shape_def {
     const clast_vec3 *centre;   /* m, body frame: origin at the centre of mass, principal axes */
     const double *radius;       /* m, > 0 */
     double mass;                /* kg; 0 works it out from the density: spheres must not overlap */
-    clast_vec3 inertia;         /* kg m2, principal; {0} works it out likewise: then the centre of mass
-                                   of the spheres must be at the origin, their axes principal */
+    clast_vec3 inertia; /* kg m2, principal; {0} works it out likewise: then the centre of mass
+                           of the spheres must be at the origin, their axes principal */
     int outline_points;         /* target profile for drawing, may be 0 */
     const double *outline;      /* m, outline_points pairs (x, z) in the body frame */
 } clast_shape_def;
@@ -158,10 +164,10 @@ typedef struct clast_shape_def {
 int clast_shape_add(clast_world *w, const clast_shape_def *def);
 int clast_shape_add_sphere(clast_world *w, const char *name, double radius, int material);
 
-/* Element spheres tangent to an ellipse of half axes a >= b (m) about the body x axis, by A00 2.2.2:
- * the profile is cut in spheres + 1 chords of equal length and every inner point carries one sphere
- * that touches the profile there (A00 2.3). centre[i] is along x from left to right.
- * A00 Appendix E prints the result for a = 0.69 cm, b = 0.53 cm and 7 spheres. */
+/* Element spheres tangent to an ellipse of half axes a >= b (m) about the body x axis, by
+ * A00 2.2.2: the profile is cut in spheres + 1 chords of equal length and every inner point carries
+ * one sphere that touches the profile there (A00 2.3). centre[i] is along x from left to right. A00
+ * Appendix E prints the result for a = 0.69 cm, b = 0.53 cm and 7 spheres. */
 clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre, double *radius);
 
 typedef struct clast_part_def {
@@ -176,7 +182,8 @@ int clast_part_add(clast_world *w, const clast_part_def *def);
 
 typedef enum clast_wall_kind {
     CLAST_WALL_PLANE, /* infinite, material behind it: pushes along +normal */
-    CLAST_WALL_PLATE  /* rectangle without thickness, pushes from both sides, has edges and corners */
+    CLAST_WALL_PLATE  /* rectangle without thickness, pushes from both sides, has edges and corners
+                       */
 } clast_wall_kind;
 
 typedef struct clast_wall_def {
@@ -225,7 +232,8 @@ uint64_t clast_world_steps(const clast_world *w);
 uint64_t clast_world_hash(const clast_world *w);
 
 /* Changes the friction of a pair in a running world (A00 4.3.2.1 settles without friction). */
-clast_status clast_pair_set_friction(clast_world *w, int material_a, int material_b, double friction);
+clast_status clast_pair_set_friction(clast_world *w, int material_a, int material_b,
+                                     double friction);
 
 /* ---- reading a world ------------------------------------------------------------------------- */
 
@@ -264,7 +272,8 @@ typedef struct clast_contact {
     double normal_force;        /* N, compression positive, with damping */
 } clast_contact;
 
-/* Copies at most `room` contacts, sorted by (a, b, sphere_a, sphere_b); returns how many there are. */
+/* Copies at most `room` contacts, sorted by (a, b, sphere_a, sphere_b); returns how many there are.
+ */
 size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room);
 
 typedef struct clast_energy {
@@ -275,7 +284,7 @@ typedef struct clast_energy {
     double global;               /* J, dissipated so far by global damping */
     double wall_work;            /* J, done so far by moving walls on the bodies */
     double removed;              /* J, carried off by bodies that left */
-    double input;                /* J, energy put in: start above the lowest state reached, and work */
+    double input; /* J, energy put in: start above the lowest state reached, and work */
     double residual;             /* J, what the sum misses; an error of integration */
 } clast_energy;
 
@@ -300,9 +309,11 @@ clast_shape_def clast_world_shape(const clast_world *w, int shape); /* with mass
 clast_part_def clast_world_part(const clast_world *w, int part);
 clast_wall_def clast_world_wall(const clast_world *w, int wall);    /* as at t = 0, normalised */
 int clast_world_wall_part(const clast_world *w, int wall);
-const clast_world_def *clast_world_definition(const clast_world *w); /* with automatic values filled in */
+const clast_world_def *
+clast_world_definition(const clast_world *w); /* with automatic values filled in */
 
-/* ---- what the engine picked and what it cost --------------------------------------------------- */
+/* ---- what the engine picked and what it cost ---------------------------------------------------
+ */
 
 typedef struct clast_plan {
     double time_step;            /* s, the one in use */
@@ -331,25 +342,30 @@ typedef struct clast_counters {
 
 clast_counters clast_world_counters(const clast_world *w);
 
-/* ---- files ------------------------------------------------------------------------------------ */
+/* ---- files ------------------------------------------------------------------------------------
+ */
 
 /* Writes everything the next step depends on (HDF5), atomically: a temporary file, then a rename.
- * `note` is a text of the caller that comes back on load (scene text, output clock); may be NULL. */
+ * `note` is a text of the caller that comes back on load (scene text, output clock); may be NULL.
+ */
 clast_status clast_checkpoint_save(clast_world *w, const char *path, const char *note);
 
-/* Loads a state into a world that was built from the same scene and has not stepped yet: the run then
- * goes on as if it had never stopped, to the bit. *note is malloc'ed for the caller; may be NULL. */
+/* Loads a state into a world that was built from the same scene and has not stepped yet: the run
+ * then goes on as if it had never stopped, to the bit. *note is malloc'ed for the caller; may be
+ * NULL. */
 clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note);
 
 /* Takes over bodies (with pose, velocity, spin) and the tangential history of their contacts from a
- * checkpoint of another scene with the same shapes; the clock starts at zero. Wall contacts are matched
- * by wall name. The world must not have bodies yet. */
+ * checkpoint of another scene with the same shapes; the clock starts at zero. Wall contacts are
+ * matched by wall name. The world must not have bodies yet. */
 clast_status clast_checkpoint_inherit(clast_world *w, const char *path);
 
-/* One frame (bodies, element spheres, contacts if asked) as group "/" of a new HDF5 file, atomically. */
+/* One frame (bodies, element spheres, contacts if asked) as group "/" of a new HDF5 file,
+ * atomically. */
 clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts);
 
-/* ---- helpers that scenes and studies need, with the engine's own bits --------------------------- */
+/* ---- helpers that scenes and studies need, with the engine's own bits ---------------------------
+ */
 
 /* Uniform in [0, 1): a pure function of (seed, stream, counter), Philox 4x32-10. */
 double clast_random(uint64_t seed, uint64_t stream, uint64_t counter);
@@ -360,8 +376,8 @@ void clast_sincos(double angle, double *sine, double *cosine);
 /* Rotation by `angle` about unit `axis`. */
 clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle);
 
-/* Damping ratio (c over critical, at the tangent stiffness) whose single collision, cut off where the
- * contact force would pull, rebounds with restitution e in (0.01, 1]. Solved with GSL. */
+/* Damping ratio (c over critical, at the tangent stiffness) whose single collision, cut off where
+ * the contact force would pull, rebounds with restitution e in (0.01, 1]. Solved with GSL. */
 double clast_damping_ratio(clast_law law, double restitution);
 
 /* The restitution that a given damping ratio yields: inverse of the above. */

@@ -15,13 +15,15 @@ typedef struct batch_places {
     touch touch[LANES];
 } batch_places;
 
-/* ---- narrow phase ---------------------------------------------------------------------------------- */
+/* ---- narrow phase
+ * ---------------------------------------------------------------------------------- */
 
 /* gap[k] < 0 where candidate begin + k overlaps (a difference of squares for spheres). */
 static void narrow_spheres(const clast_world *w, size_t begin, int count, double *gap) {
     const double *restrict x = w->spheres.x, *restrict y = w->spheres.y, *restrict z = w->spheres.z,
                  *restrict r = w->spheres.radius;
-    const int32_t *restrict a = w->list.candidates.a + begin, *restrict b = w->list.candidates.b + begin;
+    const int32_t *restrict a = w->list.candidates.a + begin, *restrict b =
+                                                                  w->list.candidates.b + begin;
 #pragma omp simd
     for (int k = 0; k < count; k++) {
         double dx = x[a[k]] - x[b[k]], dy = y[a[k]] - y[b[k]], dz = z[a[k]] - z[b[k]];
@@ -40,7 +42,8 @@ static void narrow_walls(const clast_world *w, size_t begin, int count, double *
     }
 }
 
-/* ---- filling a batch ---------------------------------------------------------------------------------- */
+/* ---- filling a batch
+ * ---------------------------------------------------------------------------------- */
 
 static vec3 velocity_at(const body_store *b, int32_t slot, vec3 arm) {
     vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
@@ -82,7 +85,8 @@ static void load_contact(const clast_world *w, batch *b, batch_places *places, u
     load_history(b, i, &w->list.candidates.histories[c]);
 }
 
-/* ---- the law over all lanes ------------------------------------------------------------------------------ */
+/* ---- the law over all lanes
+ * ------------------------------------------------------------------------------ */
 
 /* The choice is a constant in every call below, so each loop is compiled for its law. */
 LANE_INLINE void run_law(batch *b, law_choice choice, double dt) {
@@ -108,9 +112,11 @@ static void evaluate_law(batch *b, const clast_world_def *d, double dt) {
     else run_unloading(b, CLAST_LAW_HERTZ_MINDLIN, d, dt);
 }
 
-/* ---- putting the results back ----------------------------------------------------------------------------- */
+/* ---- putting the results back
+ * ----------------------------------------------------------------------------- */
 
-static void tally_overlap(const clast_world *w, contact_tally *tally, const batch *b, int i, uint32_t c) {
+static void tally_overlap(const clast_world *w, contact_tally *tally, const batch *b, int i,
+                          uint32_t c) {
     const sphere_store *s = &w->spheres;
     const candidate_store *k = &w->list.candidates;
     double small = s->radius[k->a[c]];
@@ -120,7 +126,8 @@ static void tally_overlap(const clast_world *w, contact_tally *tally, const batc
     if (overlap > tally->overlap_max) tally->overlap_max = overlap;
 }
 
-static void tally_work(const clast_world *w, contact_tally *tally, const batch *b, int i, const pair *p) {
+static void tally_work(const clast_world *w, contact_tally *tally, const batch *b, int i,
+                       const pair *p) {
     const wall *l = &w->walls[-1 - p->b];
     vec3 v = l->surface_velocity;
     if (v.x == 0 && v.y == 0 && v.z == 0) return;
@@ -147,7 +154,8 @@ static void store_contact(clast_world *w, const batch *b, const batch_places *pl
     pair_force_add(&w->list.forces[pair_index], &places->touch[i], force);
 }
 
-static void flush_batch(clast_world *w, batch *b, const batch_places *places, contact_tally *tally) {
+static void flush_batch(clast_world *w, batch *b, const batch_places *places,
+                        contact_tally *tally) {
     if (b->count == 0) return;
     evaluate_law(b, &w->def, w->contact_dt);
     for (int i = 0; i < b->count; i++) {
@@ -158,7 +166,9 @@ static void flush_batch(clast_world *w, batch *b, const batch_places *places, co
     b->count = 0;
 }
 
-/* ---- one block ----------------------------------------------------------------------------------------------- */
+/* ---- one block
+ * -----------------------------------------------------------------------------------------------
+ */
 
 static void run_block(clast_world *w, size_t pair_begin, size_t pair_end, contact_tally *tally) {
     enum { NARROW = 256 };

@@ -1,16 +1,16 @@
-/* contact_law.h - the contact laws, one lane at a time: coefficients, touch and history in, force out.
+/* contact_law.h - the contact laws, one lane at a time: coefficients, touch and history in, force
+ * out.
  *
- *   elastic   Hertz   F = 4/3 E* sqrt(R*) d^(3/2)              A00 1.1-1.4; k_n = 2 E* a is A00 1.8-1.9
- *             linear  F = k d                                  S12 2.15
- *   dashpot   c_n = 2 beta sqrt(k_n m*), c_t likewise          A00 1.21 with beta solved (restitution.c)
- *   no pull   F_n = max(0, elastic + dashpot)                  S12 2.23
- *   tangent   dS = -k_t v_t dt, k_t = 8 G* a                   A00 1.14 (equal to S12 2.44)
- *   Coulomb   |S|, |S - c_t v_t| <= mu F_n + C                 A00 1.71-1.73
+ *   elastic   Hertz   F = 4/3 E* sqrt(R*) d^(3/2)              A00 1.1-1.4; k_n = 2 E* a is
+ * A00 1.8-1.9 linear  F = k d                                  S12 2.15 dashpot   c_n = 2 beta
+ * sqrt(k_n m*), c_t likewise          A00 1.21 with beta solved (restitution.c) no pull   F_n =
+ * max(0, elastic + dashpot)                  S12 2.23 tangent   dS = -k_t v_t dt, k_t = 8 G* a
+ * A00 1.14 (equal to S12 2.44) Coulomb   |S|, |S - c_t v_t| <= mu F_n + C A00 1.71-1.73
  *
- * Energy cannot be made: the spring is clipped before the dashpot is added (clipping the sum alone can
- * leave a spring longer than the limit), and it shrinks with its stiffness when the load falls.
- * Everything is arithmetic, sqrt and selects, so that the loop over lanes turns into vector code with
- * the bits of the scalar one.
+ * Energy cannot be made: the spring is clipped before the dashpot is added (clipping the sum alone
+ * can leave a spring longer than the limit), and it shrinks with its stiffness when the load falls.
+ * Everything is arithmetic, sqrt and selects, so that the loop over lanes turns into vector code
+ * with the bits of the scalar one.
  */
 #ifndef CLAST_CONTACT_LAW_H
 #define CLAST_CONTACT_LAW_H
@@ -102,8 +102,9 @@ LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
     clip = limited(fx * fx + fy * fy + fz * fz, limit);
     fx = clip * fx + f_n * nx, fy = clip * fy + f_n * ny, fz = clip * fz + f_n * nz;
 
-    /* Work of the normal force over the last step: mean of the forces at its ends times the change of the
-     * overlap (ledger.c). Where a contact begins or ends there is a way, but not all of it is overlap. */
+    /* Work of the normal force over the last step: mean of the forces at its ends times the change
+     * of the overlap (ledger.c). Where a contact begins or ends there is a way, but not all of it
+     * is overlap. */
     double old_f_n = b->old_fx[i] * nx + b->old_fy[i] * ny + b->old_fz[i] * nz;
     bool lasting = overlap > 0 && b->old_overlap[i] > 0;
     double way = lasting ? overlap - b->old_overlap[i] : -dt * v_n;

@@ -7,15 +7,16 @@ typedef struct ellipse {
     double a, b;
 } ellipse;
 
-/* Point of the upper half of the ellipse at t in [0, 1]: t = 0 is the left tip, t = 1 the right one. */
+/* Point of the upper half of the ellipse at t in [0, 1]: t = 0 is the left tip, t = 1 the right
+ * one. */
 static void point_at(const ellipse *e, double t, double *x, double *y) {
     double u = 2 * t - 1, s = 1 - u * u;
     *x = e->a * u;
     *y = e->b * sqrt(s > 0 ? s : 0);
 }
 
-/* The next point on the profile at distance `chord` from (x, y): A00 2.2.2 turns a radius until it meets
- * the profile; bisection of the parameter does the same. Returns false past the right tip. */
+/* The next point on the profile at distance `chord` from (x, y): A00 2.2.2 turns a radius until it
+ * meets the profile; bisection of the parameter does the same. Returns false past the right tip. */
 static bool next_point(const ellipse *e, double chord, double *t, double *x, double *y) {
     double low = *t, high = 1, px, py;
     point_at(e, high, &px, &py);
@@ -32,7 +33,8 @@ static bool next_point(const ellipse *e, double chord, double *t, double *x, dou
     return true;
 }
 
-/* Walks `spheres` chords along the profile and tells whether the last chord would pass the right tip. */
+/* Walks `spheres` chords along the profile and tells whether the last chord would pass the right
+ * tip. */
 static bool overshoots(const ellipse *e, double chord, int spheres, double *x_of, double *y_of) {
     double t = 0, x = -e->a, y = 0;
     for (int i = 0; i < spheres; i++) {
@@ -42,9 +44,11 @@ static bool overshoots(const ellipse *e, double chord, int spheres, double *x_of
     return (e->a - x) * (e->a - x) + y * y < chord * chord;
 }
 
-clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre, double *radius) {
+clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre,
+                               double *radius) {
     CLAST_ASSERT(centre && radius);
-    if (!(a >= b && b > 0 && a < INFINITY) || spheres < 1 || spheres > SPHERES_MAX) return CLAST_ERR_ARGUMENT;
+    if (!(a >= b && b > 0 && a < INFINITY) || spheres < 1 || spheres > SPHERES_MAX)
+        return CLAST_ERR_ARGUMENT;
     ellipse e = {a, b};
     double x[SPHERES_MAX], y[SPHERES_MAX], low = 0, high = 4 * a;
     for (int i = 0; i < HALVINGS; i++) {

@@ -4,14 +4,17 @@
 
 #include "engine/world.h"
 
-/* Nearest point of the wall, as the vector from it to the centre. `inside`: over the face of a plate. */
+/* Nearest point of the wall, as the vector from it to the centre. `inside`: over the face of a
+ * plate. */
 typedef struct approach {
     vec3 away;       /* m, from the nearest point to the centre; for planes along +normal */
     double distance; /* m, signed for planes */
     bool inside;
 } approach;
 
-static inline double clamp(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+static inline double clamp(double x, double limit) {
+    return x > limit ? limit : x < -limit ? -limit : x;
+}
 
 static inline approach wall_approach(const wall *l, vec3 centre) {
     vec3 d = v3_sub(centre, l->point);
@@ -24,8 +27,8 @@ static inline approach wall_approach(const wall *l, vec3 centre) {
     return (approach){away, v3_norm(away), ds == 0 && dt == 0};
 }
 
-/* Where coplanar plates share a border or overlap, one of them is felt: a face before an edge, and among
- * equals the one that was added first. */
+/* Where coplanar plates share a border or overlap, one of them is felt: a face before an edge, and
+ * among equals the one that was added first. */
 static inline bool is_hidden(const clast_world *w, const wall *l, vec3 centre, const approach *a) {
     vec3 nearest = v3_sub(centre, a->away);
     for (int i = 0; i < l->coplanar_count; i++) {
@@ -43,8 +46,8 @@ static inline bool is_hidden(const clast_world *w, const wall *l, vec3 centre, c
     return false;
 }
 
-/* One contact as the law sees it. The normal points from b to a; the contact point is in the middle of
- * the overlap; arms lead to it from the centres of mass. */
+/* One contact as the law sees it. The normal points from b to a; the contact point is in the middle
+ * of the overlap; arms lead to it from the centres of mass. */
 typedef struct touch {
     vec3 normal, arm_a, arm_b;
     double overlap; /* m; <= 0: apart */

@@ -23,7 +23,8 @@ static clast_status trip(clast_world *w, const char *what) {
     return CLAST_ERR_GUARD;
 }
 
-/* ---- overlap -------------------------------------------------------------------------------------- */
+/* ---- overlap
+ * -------------------------------------------------------------------------------------- */
 
 static double smaller_radius(const clast_world *w, size_t c) {
     const candidate_store *k = &w->list.candidates;
@@ -69,7 +70,8 @@ static clast_status overlap_failure(clast_world *w) {
     return trip(w, what);
 }
 
-/* ---- motion ------------------------------------------------------------------------------------------- */
+/* ---- motion
+ * ------------------------------------------------------------------------------------------- */
 
 /* Called when the bound of the hot loop is above the limit; looks whether a body really is. */
 static clast_status motion_failure(clast_world *w) {
@@ -85,15 +87,18 @@ static clast_status motion_failure(clast_world *w) {
     if (most * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
     char name[256], what[512];
     describe_body(w, who, name, sizeof name);
-    snprintf(what, sizeof what, "a sphere moves %.3g mm in one step (limit %.3g of the smallest radius"
-             " %.3g mm): %s", 1e3 * most * w->dt, w->def.max_displacement, 1e3 * w->smallest_radius,
-             name);
+    snprintf(what, sizeof what,
+             "a sphere moves %.3g mm in one step (limit %.3g of the smallest radius"
+             " %.3g mm): %s",
+             1e3 * most * w->dt, w->def.max_displacement, 1e3 * w->smallest_radius, name);
     return trip(w, what);
 }
 
-/* ---- energy -------------------------------------------------------------------------------------------- */
+/* ---- energy
+ * -------------------------------------------------------------------------------------------- */
 
-/* The residual against the energy put in; a bed at rest is measured against the weight times a radius. */
+/* The residual against the energy put in; a bed at rest is measured against the weight times a
+ * radius. */
 clast_status guards_check_energy(clast_world *w) {
     clast_energy e = clast_world_energy(w);
     double floor_energy = 0;
@@ -121,10 +126,12 @@ clast_status guards_check(clast_world *w) {
     return w->step % ENERGY_EVERY == 0 ? guards_check_energy(w) : CLAST_OK;
 }
 
-/* ---- outside ------------------------------------------------------------------------------------------- */
+/* ---- outside
+ * ------------------------------------------------------------------------------------------- */
 
-/* Bodies that left the domain end the run or, where the scene says so, leave it. Lowest id first, so
- * that the books do not depend on the order of storage. Histories must have been collected before. */
+/* Bodies that left the domain end the run or, where the scene says so, leave it. Lowest id first,
+ * so that the books do not depend on the order of storage. Histories must have been collected
+ * before. */
 clast_status guards_outside(clast_world *w) {
     for (uint32_t id = 0; id < w->next_id; id++) {
         int32_t slot = w->slot_of_id[id];
@@ -143,7 +150,8 @@ clast_status guards_outside(clast_world *w) {
     return CLAST_OK;
 }
 
-/* ---- the start ------------------------------------------------------------------------------------------- */
+/* ---- the start
+ * ------------------------------------------------------------------------------------------- */
 
 static int complain_of_outside(clast_world *w) {
     int faults = 0;

@@ -1,5 +1,5 @@
-/* hash.c - one number for the whole state: bodies by id, contacts by name, clock. FNV-1a over 64-bit
- * words with an extra mixing step (any bit of the state reaches all bits of the hash). */
+/* hash.c - one number for the whole state: bodies by id, contacts by name, clock. FNV-1a over
+ * 64-bit words with an extra mixing step (any bit of the state reaches all bits of the hash). */
 #include <string.h>
 
 #include "engine/world.h"
@@ -39,7 +39,8 @@ uint64_t clast_world_hash(const clast_world *world) {
     for (size_t i = 0; i < w->records.count; i++) {
         const contact_record *r = &w->records.items[i];
         h = mix(mix(mix(mix(h, r->a), r->b), (uint64_t)r->sphere_a), (uint64_t)r->sphere_b);
-        h = mix_vec(mix_vec(mix_double(h, r->history.overlap), r->history.spring), r->history.force);
+        h = mix_vec(mix_vec(mix_double(h, r->history.overlap), r->history.spring),
+                    r->history.force);
     }
     h = mix_double(mix_double(mix_double(h, w->ledger.work), w->ledger.elastic), w->ledger.dashpot);
     return mix_double(mix_double(h, w->ledger.global), w->ledger.wall_work);

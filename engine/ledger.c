@@ -1,13 +1,14 @@
 /* ledger.c - where the energy is and what went where.
  *
- * Kept exactly for the leapfrog. The kinetic energy is v(n-1/2).v(n+1/2)/2 and what the contact forces do to
- * a body in one kick is force times mean velocity: these two agree to rounding. Of this work, the normal
- * forces do the mean of the forces at the two ends of a step times the change of the overlap; what walls
- * and tangential springs do not account for of the rest is friction. Elastic energy is a function of the
- * overlap. What does not add up is then the error of integrating the normal contact (order dt^2 inside,
- * dt^2.5 at the onset), and it is what grows when a step is too large: the residual is the failure detector.
- * Rejected: the work of every tangential force by itself. Contact points travel, so it is of first order
- * unless the old point is kept or found again (a third more work per contact). */
+ * Kept exactly for the leapfrog. The kinetic energy is v(n-1/2).v(n+1/2)/2 and what the contact
+ * forces do to a body in one kick is force times mean velocity: these two agree to rounding. Of
+ * this work, the normal forces do the mean of the forces at the two ends of a step times the change
+ * of the overlap; what walls and tangential springs do not account for of the rest is friction.
+ * Elastic energy is a function of the overlap. What does not add up is then the error of
+ * integrating the normal contact (order dt^2 inside, dt^2.5 at the onset), and it is what grows
+ * when a step is too large: the residual is the failure detector. Rejected: the work of every
+ * tangential force by itself. Contact points travel, so it is of first order unless the old point
+ * is kept or found again (a third more work per contact). */
 #include "engine/numbers.h"
 #include "engine/world.h"
 
@@ -62,7 +63,8 @@ clast_energy clast_world_energy(clast_world *w) {
     const ledger *l = &w->ledger;
     velocities_synchronise(w);
     stored_energy stored = contacts_stored_energy(w);
-    double tangential_work = l->work + w->view.work_arrived - l->wall_work - l->elastic - l->dashpot;
+    double tangential_work =
+        l->work + w->view.work_arrived - l->wall_work - l->elastic - l->dashpot;
     clast_energy e = {.kinetic = w->view.kinetic, .rotational = w->view.rotational,
                       .gravity = gravity_of(w), .elastic = stored.normal + stored.tangential,
                       .damping = -l->dashpot,
@@ -97,7 +99,8 @@ void ledger_start(clast_world *w) {
 void ledger_remove_body(clast_world *w, size_t slot) {
     const body_store *b = &w->bodies;
     double mass = w->shapes[b->shape[slot]].mass;
-    vec3 v = v3(b->vx[slot], b->vy[slot], b->vz[slot]), l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
+    vec3 v = v3(b->vx[slot], b->vy[slot], b->vz[slot]),
+         l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
     vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
     vec3 above = v3_sub(body_position(w, slot), w->def.domain_min);
     vec3 next = v3_add(v, v3_scale(w->dt, w->def.gravity)); /* it touches nothing out there */

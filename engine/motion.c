@@ -2,10 +2,10 @@
  *
  *     v(n+1/2) = v(n-1/2) + a(n) dt        x(n+1) = x(n) + v(n+1/2) dt
  *
- * Rotation keeps the angular momentum L in the world frame (exactly constant without torque) and turns
- * the body by the symmetric splitting of Dullweber, Leimkuhler and McLachlan (J. Chem. Phys. 107, 1997,
- * 5840): rotations about the principal axes x, y, z, y, x. Bodies with three equal moments and bodies
- * in a plane need one rotation only. */
+ * Rotation keeps the angular momentum L in the world frame (exactly constant without torque) and
+ * turns the body by the symmetric splitting of Dullweber, Leimkuhler and McLachlan (J. Chem. Phys.
+ * 107, 1997, 5840): rotations about the principal axes x, y, z, y, x. Bodies with three equal
+ * moments and bodies in a plane need one rotation only. */
 #include "engine/numbers.h"
 #include "engine/parallel.h"
 #include "engine/world.h"
@@ -25,7 +25,8 @@ void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque) {
     *torque = t;
 }
 
-/* ---- rotation -------------------------------------------------------------------------------------- */
+/* ---- rotation
+ * -------------------------------------------------------------------------------------- */
 
 static quat turned(quat q, vec3 axis_angle) {
     double angle = v3_norm(axis_angle), s, c;
@@ -42,7 +43,8 @@ static quat turned_in_plane(const clast_world *w, quat q, vec3 spin) {
     return q_renormalise(q_mul((quat){c, turn.x, turn.y, turn.z}, q));
 }
 
-/* Rotates the body by `angle` about its own principal axis; its local momentum turns the other way. */
+/* Rotates the body by `angle` about its own principal axis; its local momentum turns the other way.
+ */
 static void turn_about(int axis, double angle, quat *q, vec3 *local) {
     double s, c;
     number_sincos_small(0.5 * angle, &s, &c);
@@ -65,13 +67,15 @@ static quat turned_asymmetric(quat q, vec3 momentum, vec3 inverse, double dt) {
     return q_renormalise(q);
 }
 
-static quat orientation_after(const clast_world *w, const shape *s, quat q, vec3 momentum, vec3 spin) {
+static quat orientation_after(const clast_world *w, const shape *s, quat q, vec3 momentum,
+                              vec3 spin) {
     if (w->def.motion == CLAST_MOTION_IN_PLANE) return turned_in_plane(w, q, spin);
     if (s->round_inertia) return turned(q, v3_scale(w->dt, spin));
     return turned_asymmetric(q, momentum, s->inverse_inertia, w->dt);
 }
 
-/* ---- one body ----------------------------------------------------------------------------------------- */
+/* ---- one body
+ * ----------------------------------------------------------------------------------------- */
 
 typedef struct kick {
     vec3 velocity, momentum; /* after */
@@ -120,7 +124,8 @@ static void advance_one(clast_world *w, size_t i, body_tally *t) {
     b->x[i] += w->dt * v.x, b->y[i] += w->dt * v.y, b->z[i] += w->dt * v.z;
     vec3 spin = body_spin_of(w, b->shape[i], q, l);
     q = orientation_after(w, s, q, l, spin);
-    if (w->def.motion == CLAST_MOTION_3D && !s->round_inertia) spin = body_spin_of(w, b->shape[i], q, l);
+    if (w->def.motion == CLAST_MOTION_3D && !s->round_inertia)
+        spin = body_spin_of(w, b->shape[i], q, l);
     b->qw[i] = q.w, b->qx[i] = q.x, b->qy[i] = q.y, b->qz[i] = q.z;
     b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
     b->lx[i] = l.x, b->ly[i] = l.y, b->lz[i] = l.z;
@@ -133,13 +138,14 @@ static void advance_one(clast_world *w, size_t i, body_tally *t) {
  * costs a rebuild a little early, which nobody can observe; guards look again before they speak. */
 static double bound2(double a2, double b2) { return b2 == 0 ? a2 : 2 * (a2 + b2); }
 
-/* Way of any sphere of the body since the list was built, squared: of the centre, and arm times twice
- * the change of the quaternion. NaN stays NaN. */
+/* Way of any sphere of the body since the list was built, squared: of the centre, and arm times
+ * twice the change of the quaternion. NaN stays NaN. */
 static double moved2(const clast_world *w, size_t i) {
     const body_store *b = &w->bodies;
     const built_pose *p = &w->built[i];
     double dx = b->x[i] - p->x, dy = b->y[i] - p->y, dz = b->z[i] - p->z;
-    double ew = b->qw[i] - p->qw, ex = b->qx[i] - p->qx, ey = b->qy[i] - p->qy, ez = b->qz[i] - p->qz;
+    double ew = b->qw[i] - p->qw, ex = b->qx[i] - p->qx, ey = b->qy[i] - p->qy,
+           ez = b->qz[i] - p->qz;
     double turn2 = ew * ew + ex * ex + ey * ey + ez * ez;
     return bound2(dx * dx + dy * dy + dz * dz, 4 * p->arm * p->arm * turn2);
 }
@@ -153,7 +159,8 @@ static double step2(const clast_world *w, size_t i) {
     return w->dt * w->dt * bound2(v2, s2 * bound * bound);
 }
 
-/* ---- all bodies ---------------------------------------------------------------------------------------- */
+/* ---- all bodies
+ * ---------------------------------------------------------------------------------------- */
 
 static void advance_range(void *context, size_t begin, size_t end, int thread) {
     clast_world *w = context;
@@ -211,7 +218,8 @@ void velocities_start(clast_world *w) {
     }
 }
 
-/* ---- readers -------------------------------------------------------------------------------------------- */
+/* ---- readers
+ * -------------------------------------------------------------------------------------------- */
 
 static void reserve_view(clast_world *w) {
     size_t old = w->view.capacity, now = w->bodies.capacity;
@@ -234,8 +242,8 @@ static void copy_start(clast_world *w) {
 }
 
 /* Velocities at the time of the positions, without touching the state: the mean of the half steps
- * before and after. Also the kinetic energies, as v-.v+ and L-.w+, which the discrete motion conserves
- * exactly (the mean of squares would be off by the square of the kick). */
+ * before and after. Also the kinetic energies, as v-.v+ and L-.w+, which the discrete motion
+ * conserves exactly (the mean of squares would be off by the square of the kick). */
 void velocities_synchronise(clast_world *w) {
     reserve_view(w);
     if (!w->prepared) {

@@ -1,5 +1,6 @@
-/* motion_plane.c - the in-plane counterpart of motion.c and of spheres_place(): two coordinates u and v,
- * one angle about the axis a. A third of the work of the general path, with the same expressions. */
+/* motion_plane.c - the in-plane counterpart of motion.c and of spheres_place(): two coordinates u
+ * and v, one angle about the axis a. A third of the work of the general path, with the same
+ * expressions. */
 #include "engine/numbers.h"
 #include "engine/world.h"
 
@@ -11,9 +12,14 @@ typedef struct plane {
 static plane plane_of(const clast_world *w) {
     const body_store *b = &w->bodies;
     int a = w->def.plane_axis;
-    return (plane){.a = a, .u = (a + 1) % 3, .v = (a + 2) % 3,
-                   .x = {b->x, b->y, b->z}, .vel = {b->vx, b->vy, b->vz}, .q = {b->qx, b->qy, b->qz},
-                   .l = {b->lx, b->ly, b->lz}, .w = {b->wx, b->wy, b->wz}};
+    return (plane){.a = a,
+                   .u = (a + 1) % 3,
+                   .v = (a + 2) % 3,
+                   .x = {b->x, b->y, b->z},
+                   .vel = {b->vx, b->vy, b->vz},
+                   .q = {b->qx, b->qy, b->qz},
+                   .l = {b->lx, b->ly, b->lz},
+                   .w = {b->wx, b->wy, b->wz}};
 }
 
 typedef struct load {

@@ -9,7 +9,8 @@
 
 enum { BLOCK_CANDIDATES = 256 };
 
-/* ---- growing -------------------------------------------------------------------------------------- */
+/* ---- growing
+ * -------------------------------------------------------------------------------------- */
 
 static pair *pair_push(clast_world *w) {
     pair_list *l = &w->list;
@@ -39,7 +40,8 @@ static void candidate_push(clast_world *w, int32_t a, int32_t b, double radius) 
     c->count++;
 }
 
-/* ---- pairs of bodies ---------------------------------------------------------------------------------- */
+/* ---- pairs of bodies
+ * ---------------------------------------------------------------------------------- */
 
 typedef struct partner {
     uint32_t id;
@@ -103,8 +105,9 @@ static void push_body_pair(clast_world *w, int32_t a, int32_t b, uint32_t first)
 
 static void push_wall_pair(clast_world *w, int32_t a, int wall_index, uint32_t first) {
     const shape *sa = &w->shapes[w->bodies.shape[a]];
-    *pair_push(w) = (pair){a, -1 - wall_index,
-                           coef_of(w, sa->material, w->walls[wall_index].def.material), first, sa->mass};
+    *pair_push(w) =
+        (pair){a, -1 - wall_index, coef_of(w, sa->material, w->walls[wall_index].def.material),
+               first, sa->mass};
 }
 
 static void add_body_pair(clast_world *w, int32_t a, int32_t b) {
@@ -131,7 +134,8 @@ static void add_body_pairs(clast_world *w) {
     free(found);
 }
 
-/* ---- pairs of a body and a wall ------------------------------------------------------------------------- */
+/* ---- pairs of a body and a wall
+ * ------------------------------------------------------------------------- */
 
 static void add_wall_pair(clast_world *w, int32_t a, int wall_index) {
     const wall *l = &w->walls[wall_index];
@@ -154,9 +158,11 @@ static void add_wall_pairs(clast_world *w) {
     }
 }
 
-/* ---- contacts that have just moved out of reach -----------------------------------------------------------
+/* ---- contacts that have just moved out of reach
+ -----------------------------------------------------------
 
- * A contact that touched at the last evaluation and is now farther apart than the skin gets a pair of
+ * A contact that touched at the last evaluation and is now farther apart than the skin gets a pair
+ of
  * its own: the law books its end, as it would with a wider skin. */
 
 static void keep_body_contact(clast_world *w, const contact_record *r) {
@@ -168,7 +174,8 @@ static void keep_body_contact(clast_world *w, const contact_record *r) {
     double reach = bound_of(w, a) + bound_of(w, b) + w->skin, ri = s->radius[i], rj = s->radius[j];
     double dx = s->x[i] - s->x[j], dy = s->y[i] - s->y[j], dz = s->z[i] - s->z[j];
     double near = ri + rj + w->skin;
-    if (v3_dot(between, between) < reach * reach && dx * dx + dy * dy + dz * dz < near * near) return;
+    if (v3_dot(between, between) < reach * reach && dx * dx + dy * dy + dz * dz < near * near)
+        return;
     uint32_t first = (uint32_t)w->list.candidates.count;
     candidate_push(w, (int32_t)i, (int32_t)j, ri * rj / (ri + rj));
     push_body_pair(w, a, b, first);
@@ -199,7 +206,8 @@ static void keep_contacts(clast_world *w, bool with_walls) {
     }
 }
 
-/* ---- each body's pairs in the order of its partners' ids --------------------------------------------------- */
+/* ---- each body's pairs in the order of its partners' ids
+ * --------------------------------------------------- */
 
 static uint32_t partner_id(const clast_world *w, const incidence *i) {
     const pair *p = &w->list.pairs[i->pair];
@@ -252,7 +260,8 @@ static void build_incidences(clast_world *w) {
     for (size_t i = 0; i < n; i++) sort_incidences(w, first[i], first[i + 1]);
 }
 
-/* ---- blocks of the contact pass: whole pairs, about 256 candidates, walls apart --------------------------- */
+/* ---- blocks of the contact pass: whole pairs, about 256 candidates, walls apart
+ * --------------------------- */
 
 static void block_begin(clast_world *w, size_t pair_index) {
     pair_list *l = &w->list;
@@ -280,7 +289,8 @@ static void build_blocks(clast_world *w) {
     l->block_count--;
 }
 
-/* ---- the whole -------------------------------------------------------------------------------------------- */
+/* ---- the whole
+ * -------------------------------------------------------------------------------------------- */
 
 static void reserve_slots(clast_world *w) {
     sphere_store *s = &w->spheres;
@@ -300,8 +310,8 @@ static void remember_poses(clast_world *w) {
         w->built_capacity = b->capacity;
     }
     for (size_t i = 0; i < b->count; i++)
-        w->built[i] = (built_pose){b->x[i], b->y[i], b->z[i], b->qw[i], b->qx[i], b->qy[i], b->qz[i],
-                                   w->shapes[b->shape[i]].arm};
+        w->built[i] = (built_pose){b->x[i],  b->y[i],  b->z[i],  b->qw[i],
+                                   b->qx[i], b->qy[i], b->qz[i], w->shapes[b->shape[i]].arm};
     for (int i = 0; i < w->part_count; i++) w->parts[i].built_offset = w->parts[i].offset;
 }
 

@@ -1,5 +1,5 @@
-/* records.c - touching contacts by name (ids, place within the shape) instead of by place in memory:
- * how histories survive a rebuild, and what checkpoint, hash and readers see. */
+/* records.c - touching contacts by name (ids, place within the shape) instead of by place in
+ * memory: how histories survive a rebuild, and what checkpoint, hash and readers see. */
 #include <stdlib.h>
 
 #include "engine/world.h"
@@ -57,7 +57,8 @@ void records_collect(clast_world *w) {
     w->records.count = 0;
     for (size_t p = 0; p < l->pair_count; p++)
         for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++)
-            if (l->candidates.touching[c]) w->records.items[w->records.count++] = record_of(w, &l->pairs[p], c);
+            if (l->candidates.touching[c])
+                w->records.items[w->records.count++] = record_of(w, &l->pairs[p], c);
     records_sort(w);
 }
 
@@ -69,7 +70,8 @@ static const contact_record *find(const clast_world *w, const contact_record *na
     return NULL;
 }
 
-/* Puts the records back into a new list. A record without a place (its wall or body is gone) ends here. */
+/* Puts the records back into a new list. A record without a place (its wall or body is gone) ends
+ * here. */
 void records_apply(clast_world *w) {
     pair_list *l = &w->list;
     for (size_t p = 0; p < l->pair_count; p++)

@@ -2,11 +2,11 @@
  *
  * One collision in units of mass 1, stiffness 1 and impact speed 1:
  *     linear  x'' = -x       - 2 beta x'
- *     Hertz   x'' = -x^(3/2) - 2 beta sqrt(3/2) x^(1/4) x'      (c = 2 beta sqrt(k_n m), k_n = dF/dx)
- * cut off where the force would pull (S12 2.23), so the restitution does not depend on the speed. The
- * closed forms S12 2.21 and A00 1.20 leave the cut-off out and rebound too fast (FACTS 1).
- * Fixed steps of a GSL Runge-Kutta scheme and Brent's bracketing: arithmetic and sqrt only, so the
- * result has the same bits on every machine. The only file that knows GSL. */
+ *     Hertz   x'' = -x^(3/2) - 2 beta sqrt(3/2) x^(1/4) x'      (c = 2 beta sqrt(k_n m), k_n =
+ * dF/dx) cut off where the force would pull (S12 2.23), so the restitution does not depend on the
+ * speed. The closed forms S12 2.21 and A00 1.20 leave the cut-off out and rebound too fast (FACTS
+ * 1). Fixed steps of a GSL Runge-Kutta scheme and Brent's bracketing: arithmetic and sqrt only, so
+ * the result has the same bits on every machine. The only file that knows GSL. */
 #include <math.h>
 
 #include <gsl/gsl_errno.h>

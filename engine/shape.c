@@ -79,7 +79,8 @@ static const char *fault_of(const clast_world *w, const clast_shape_def *d) {
         return "has a mass or a moment of inertia that is not finite";
     vec3 m = d->inertia;
     bool given = m.x != 0 || m.y != 0 || m.z != 0;
-    if (given && !(m.x > 0 && m.y > 0 && m.z > 0)) return "has a moment of inertia that is not above zero";
+    if (given && !(m.x > 0 && m.y > 0 && m.z > 0))
+        return "has a moment of inertia that is not above zero";
     if (given && (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y))
         return "has moments of inertia that no body can have (triangle inequality)";
     if ((!given || d->mass == 0) && spheres_overlap(d))
@@ -126,6 +127,9 @@ int clast_shape_add(clast_world *w, const clast_shape_def *d) {
 
 int clast_shape_add_sphere(clast_world *w, const char *name, double radius, int of_material) {
     vec3 centre = {0, 0, 0};
-    return clast_shape_add(w, &(clast_shape_def){.name = name, .material = of_material, .spheres = 1,
-                                                 .centre = &centre, .radius = &radius});
+    return clast_shape_add(w, &(clast_shape_def){.name = name,
+                                                 .material = of_material,
+                                                 .spheres = 1,
+                                                 .centre = &centre,
+                                                 .radius = &radius});
 }

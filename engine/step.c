@@ -6,7 +6,8 @@
 
 enum { SPHERES_PER_THREAD = 1000 };
 
-/* ---- preparing ----------------------------------------------------------------------------------------- */
+/* ---- preparing
+ * ----------------------------------------------------------------------------------------- */
 
 static void choose_sizes(clast_world *w) {
     w->smallest_radius = INFINITY;
@@ -21,7 +22,8 @@ static void choose_sizes(clast_world *w) {
 
 static size_t sphere_count(const clast_world *w) {
     size_t count = 0;
-    for (size_t i = 0; i < w->bodies.count; i++) count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
+    for (size_t i = 0; i < w->bodies.count; i++)
+        count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
     return count;
 }
 
@@ -57,7 +59,8 @@ static clast_status check_pairs(clast_world *w) {
             bool said = b < a && shape_is_of(w, b);
             if (!shape_is_of(w, a) || !(shape_is_of(w, b) || wall_is_of(w, b)) || said) continue;
             if (w->coefs[a * w->material_count + b].set) continue;
-            world_complain(w, "pair %s / %s is not set", w->materials[a].name, w->materials[b].name);
+            world_complain(w, "pair %s / %s is not set", w->materials[a].name,
+                           w->materials[b].name);
             faults++;
         }
     return faults ? CLAST_ERR_ARGUMENT : CLAST_OK;
@@ -90,7 +93,8 @@ static clast_status check_plane(clast_world *w) {
 }
 
 static clast_status prepare_checked(clast_world *w) {
-    if (w->shape_count == 0) return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "the scene has no shape");
+    if (w->shape_count == 0)
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "the scene has no shape");
     clast_status s = check_pairs(w);
     if (s) return s;
     s = check_plane(w);
@@ -121,7 +125,8 @@ clast_status clast_world_prepare(clast_world *w) {
     return CLAST_OK;
 }
 
-/* ---- stepping ------------------------------------------------------------------------------------------- */
+/* ---- stepping
+ * ------------------------------------------------------------------------------------------- */
 
 static void lap(double *since, double *into) {
     double now = world_seconds();

@@ -1,13 +1,13 @@
 /* sum.h - sums that do not depend on their order.
  *
- * A term is rounded to a multiple of a coarse quantum, the rest to a multiple of a fine one. Sums of
- * multiples of one quantum are exact in double as long as they stay below 2^53 quanta, and exact sums
- * have no order: threads, blocks and (later) processes may add in any way and get the same bits.
- * With quanta of 2^-38 and 2^-66 of the scene's energy scale, 32 thousand scales fit into the coarse
- * bin and one scale is resolved to 10^-20. A term leaves at most half a coarse quantum for the fine bin,
- * which so takes 67 million terms of one sign. Rejected: 2^-30 and 2^-70 (full after 16 thousand terms of
- * one sign, and losses have one sign), 128-bit fixed point (a libgcc call per term), sums in list order
- * (the list is not observable, so its order must not be either). */
+ * A term is rounded to a multiple of a coarse quantum, the rest to a multiple of a fine one. Sums
+ * of multiples of one quantum are exact in double as long as they stay below 2^53 quanta, and exact
+ * sums have no order: threads, blocks and (later) processes may add in any way and get the same
+ * bits. With quanta of 2^-38 and 2^-66 of the scene's energy scale, 32 thousand scales fit into the
+ * coarse bin and one scale is resolved to 10^-20. A term leaves at most half a coarse quantum for
+ * the fine bin, which so takes 67 million terms of one sign. Rejected: 2^-30 and 2^-70 (full after
+ * 16 thousand terms of one sign, and losses have one sign), 128-bit fixed point (a libgcc call per
+ * term), sums in list order (the list is not observable, so its order must not be either). */
 #ifndef CLAST_SUM_H
 #define CLAST_SUM_H
 

@@ -21,7 +21,8 @@ double timestep_rayleigh(const clast_world *w) {
     return least;
 }
 
-/* Fastest impact to be expected: asked for, or the start's fastest plus the fall through the domain. */
+/* Fastest impact to be expected: asked for, or the start's fastest plus the fall through the
+ * domain. */
 static double impact_speed(const clast_world *w) {
     if (w->def.impact_speed > 0) return w->def.impact_speed;
     vec3 d = v3_sub(w->def.domain_max, w->def.domain_min), g = w->def.gravity;
@@ -43,7 +44,8 @@ typedef struct stiffest {
 
 /* Hertz: T = 2.943 (15 m / (16 sqrt(R) E))^(2/5) v^(-1/5) (S12 2.41 with its constant worked out),
  * overlap (15 m v^2 / (16 sqrt(R) E))^(2/5); linear: pi sqrt(m / k) (S12 2.22 without damping). */
-static stiffest contact_of(const clast_world *w, double mass, double radius, const pair_coef *c, double v) {
+static stiffest contact_of(const clast_world *w, double mass, double radius, const pair_coef *c,
+                           double v) {
     if (w->def.law == CLAST_LAW_LINEAR) {
         double omega = sqrt(c->stiffness / mass);
         return (stiffest){NUMBER_PI / omega, 2 / omega};
@@ -65,8 +67,9 @@ static double largest_radius(const shape *s) {
     return r;
 }
 
-/* Over all pairs of shapes and all shapes with all walls. A whole body's mass counts at each contact;
- * arms and inertia make contacts lighter and steps shorter, by up to the ratio of masses. */
+/* Over all pairs of shapes and all shapes with all walls. A whole body's mass counts at each
+ * contact; arms and inertia make contacts lighter and steps shorter, by up to the ratio of masses.
+ */
 static stiffest stiffest_contact(const clast_world *w, double v) {
     stiffest least = {INFINITY, INFINITY};
     for (int i = 0; i < w->shape_count; i++) {
@@ -80,7 +83,8 @@ static stiffest stiffest_contact(const clast_world *w, double v) {
                                               ra * rb / (ra + rb), c, v));
         }
         for (int l = 0; l < w->wall_count; l++) {
-            const pair_coef *c = &w->coefs[a->material * w->material_count + w->walls[l].def.material];
+            const pair_coef *c =
+                &w->coefs[a->material * w->material_count + w->walls[l].def.material];
             if (c->set) keep_least(&least, contact_of(w, a->mass, largest_radius(a), c, v));
         }
     }
@@ -102,7 +106,8 @@ clast_status timestep_choose(clast_world *w) {
         w->dt = a < b ? a : b;
     }
     if (!(w->dt > 0 && w->dt < 1e6))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "no contact in this scene sets a time step: give one");
+        return world_fail(w, CLAST_ERR_ARGUMENT,
+                          "no contact in this scene sets a time step: give one");
     p->time_step = w->dt;
     p->resolution = s.duration / w->dt;
     return CLAST_OK;

@@ -67,7 +67,9 @@ clast_part_load clast_world_part_load(clast_world *w, int index) {
 }
 
 bool clast_world_part_present(const clast_world *w, int index) { return w->parts[index].present; }
-clast_vec3 clast_world_part_offset(const clast_world *w, int index) { return w->parts[index].offset; }
+clast_vec3 clast_world_part_offset(const clast_world *w, int index) {
+    return w->parts[index].offset;
+}
 
 int clast_world_shape_count(const clast_world *w) { return w->shape_count; }
 int clast_world_part_count(const clast_world *w) { return w->part_count; }

@@ -9,7 +9,9 @@ int clast_part_add(clast_world *w, const clast_part_def *def) {
     if (isnan(def->move_from) || isnan(def->removed_at))
         return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: a time is not a number", name), -1;
     if (def->move_until != 0 && !(def->move_until > def->move_from))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from", name), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from",
+                          name),
+               -1;
     int n = w->part_count;
     w->parts = memory_grow(w, w->parts, (size_t)n, (size_t)n + 1, sizeof *w->parts);
     w->parts[n] = (part){.name = memory_text(w, def->name), .def = *def, .present = true};
@@ -41,7 +43,8 @@ int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
     CLAST_ASSERT(w && def && !w->prepared);
     const char *fault = fault_of(w, part_index, def);
     if (fault)
-        return world_fail(w, CLAST_ERR_ARGUMENT, "wall %s %s", def->name ? def->name : "?", fault), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "wall %s %s", def->name ? def->name : "?", fault),
+               -1;
     int n = w->wall_count;
     w->walls = memory_grow(w, w->walls, (size_t)n, (size_t)n + 1, sizeof *w->walls);
     wall *l = &w->walls[n];
@@ -61,7 +64,8 @@ int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
 
 /* Two plates in one plane whose rectangles touch or overlap. */
 static bool are_coplanar(const wall *a, const wall *b) {
-    double size = a->def.half_side[0] + a->def.half_side[1] + b->def.half_side[0] + b->def.half_side[1];
+    double size =
+        a->def.half_side[0] + a->def.half_side[1] + b->def.half_side[0] + b->def.half_side[1];
     if (!(fabs(fabs(v3_dot(a->n, b->n)) - 1) < 1e-12)) return false;
     vec3 between = v3_sub(b->def.point, a->def.point);
     return fabs(v3_dot(between, a->n)) < 1e-9 * size && v3_norm(between) <= size;
@@ -74,8 +78,8 @@ void walls_link(clast_world *w) {
         a->coplanar_count = 0;
         a->coplanar = memory_grow(w, a->coplanar, 0, (size_t)w->wall_count, sizeof *a->coplanar);
         for (int j = 0; j < w->wall_count; j++)
-            if (i != j && a->def.kind == CLAST_WALL_PLATE && w->walls[j].def.kind == CLAST_WALL_PLATE &&
-                are_coplanar(a, &w->walls[j]))
+            if (i != j && a->def.kind == CLAST_WALL_PLATE &&
+                w->walls[j].def.kind == CLAST_WALL_PLATE && are_coplanar(a, &w->walls[j]))
                 a->coplanar[a->coplanar_count++] = j;
     }
 }

@@ -39,7 +39,8 @@ static const char *fault_of(const clast_world_def *d) {
     if (d->plane_axis < 0 || d->plane_axis > 2) return "plane_axis is not 0, 1 or 2";
     if (!(d->time_step >= 0)) return "time_step is below zero";
     if (!isfinite(d->time_step)) return "time_step is not finite";
-    if (!(d->rayleigh_fraction > 0 && d->rayleigh_fraction <= 1)) return "rayleigh_fraction is not in (0, 1]";
+    if (!(d->rayleigh_fraction > 0 && d->rayleigh_fraction <= 1))
+        return "rayleigh_fraction is not in (0, 1]";
     if (!(d->contact_resolution >= 5)) return "contact_resolution is below 5";
     if (!isfinite(d->contact_resolution)) return "contact_resolution is not finite";
     if (!(d->impact_speed >= 0)) return "impact_speed is below zero";
@@ -102,7 +103,8 @@ void clast_world_free(clast_world *w) {
     free(w);
 }
 
-/* ---- materials -------------------------------------------------------------------------------------- */
+/* ---- materials
+ * -------------------------------------------------------------------------------------- */
 
 static void grow_coefs(clast_world *w, int old, int now) {
     pair_coef *table = memory_grow(w, NULL, 0, (size_t)now * (size_t)now, sizeof *table);
@@ -116,11 +118,16 @@ int clast_material_add(clast_world *w, const clast_material_def *def) {
     CLAST_ASSERT(w && def && !w->prepared);
     const char *name = def->name ? def->name : "?";
     if (!(def->density > 0) || !isfinite(def->density))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: density is not above zero", name), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: density is not above zero", name),
+               -1;
     if (!(def->young > 0) || !isfinite(def->young))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Young's modulus is not above zero", name), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Young's modulus is not above zero",
+                          name),
+               -1;
     if (!(def->poisson > -1 && def->poisson < 0.5))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Poisson's ratio is not in (-1, 0.5)", name), -1;
+        return world_fail(w, CLAST_ERR_ARGUMENT, "material %s: Poisson's ratio is not in (-1, 0.5)",
+                          name),
+               -1;
     int n = w->material_count;
     w->materials = memory_grow(w, w->materials, (size_t)n, (size_t)n + 1, sizeof *w->materials);
     w->materials[n] = (material){memory_text(w, name), def->density, def->young, def->poisson};
@@ -134,8 +141,10 @@ static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
     if (!(d->friction >= 0) || !isfinite(d->friction)) return "friction is below zero";
     if (!(d->cohesion >= 0) || !isfinite(d->cohesion)) return "cohesion is below zero";
     if (w->def.law != CLAST_LAW_LINEAR) return NULL;
-    if (!(d->stiffness > 0) || !isfinite(d->stiffness)) return "the linear law needs a stiffness above zero";
-    if (!(d->tangential_ratio >= 0) || !isfinite(d->tangential_ratio)) return "tangential_ratio is below zero";
+    if (!(d->stiffness > 0) || !isfinite(d->stiffness))
+        return "the linear law needs a stiffness above zero";
+    if (!(d->tangential_ratio >= 0) || !isfinite(d->tangential_ratio))
+        return "tangential_ratio is below zero";
     return NULL;
 }
 
@@ -144,7 +153,8 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
     const material *ma = &w->materials[a], *mb = &w->materials[b];
     const char *fault = pair_fault(w, d);
     if (fault)
-        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "pair %s / %s: %s", ma->name, mb->name, fault);
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "pair %s / %s: %s", ma->name,
+                                        mb->name, fault);
     double ga = ma->young / (2 * (1 + ma->poisson)), gb = mb->young / (2 * (1 + mb->poisson));
     double ratio = d->tangential_ratio > 0 ? d->tangential_ratio : 2.0 / 7.0;
     pair_coef c = {

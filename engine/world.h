@@ -1,10 +1,10 @@
 /* world.h - how a world is laid out in memory. Private to engine/.
  *
- * Bodies move; their state lives in columns declared in ONE list, which drives store, sort, checkpoint
- * and hash. Velocities are those of the half step before the positions (leapfrog).
+ * Bodies move; their state lives in columns declared in ONE list, which drives store, sort,
+ * checkpoint and hash. Velocities are those of the half step before the positions (leapfrog).
  * Element spheres are derived from body pose and shape at every step.
- * A pair is a body with a body or a wall within reach; a candidate is a pair of element spheres (or a
- * sphere and a wall) of a pair. Candidates carry the contact's history in place.
+ * A pair is a body with a body or a wall within reach; a candidate is a pair of element spheres (or
+ * a sphere and a wall) of a pair. Candidates carry the contact's history in place.
  */
 #ifndef CLAST_WORLD_H
 #define CLAST_WORLD_H
@@ -14,7 +14,8 @@
 #include "engine/sum.h"
 #include "engine/vec.h"
 
-/* ---- columns ---------------------------------------------------------------------------------- */
+/* ---- columns ----------------------------------------------------------------------------------
+ */
 
 #define BODY_COLUMNS(X)                                                     \
     X(uint32_t, id)      /* stable name of the body */                      \
@@ -56,7 +57,8 @@ typedef struct sphere_store {
     size_t *first;                       /* first sphere of each body, count of bodies + 1 */
 } sphere_store;
 
-/* ---- what a scene is made of --------------------------------------------------------------------- */
+/* ---- what a scene is made of
+ * --------------------------------------------------------------------- */
 
 typedef struct material {
     char *name;
@@ -107,7 +109,8 @@ typedef struct wall {
     int coplanar_count;
 } wall;
 
-/* ---- pairs and contacts ----------------------------------------------------------------------------- */
+/* ---- pairs and contacts
+ * ----------------------------------------------------------------------------- */
 
 typedef struct pair {
     int32_t a;         /* slot of the body with the lower id */
@@ -173,7 +176,8 @@ typedef struct record_list {
     size_t first_capacity;
 } record_list;
 
-/* ---- the contact kernel ---------------------------------------------------------------------------- */
+/* ---- the contact kernel
+ * ---------------------------------------------------------------------------- */
 
 /* What one thread finds out during a contact pass. */
 typedef struct contact_tally {
@@ -188,7 +192,8 @@ typedef struct contact_tally {
 typedef struct body_tally {
     exact_sum global;  /* J, lost to global damping */
     exact_sum contact; /* J, work of the contact forces */
-    double step2_max;  /* m2, longest way of a sphere in this step, squared; infinite when not a number */
+    double step2_max;  /* m2, longest way of a sphere in this step, squared; infinite when not a
+                          number */
     bool stale, outside;
     char pad[64];
 } body_tally;
@@ -208,7 +213,7 @@ typedef struct ledger {
     double work;                                 /* J, of the contact forces on all bodies so far */
     double elastic, dashpot;                     /* J, of that by normal springs and dashpots */
     double global, wall_work;                    /* J, so far */
-    double start_tangential;                     /* J in tangential springs at step 0, less what has left */
+    double start_tangential; /* J in tangential springs at step 0, less what has left */
     double removed, removed_gravity;             /* J carried off: in all, and by height alone */
     double start_total, start_gravity;           /* J at step 0 */
 } ledger;
@@ -241,7 +246,8 @@ struct clast_world {
     int threads;
     double skin, smallest_radius, largest_bound;
     double overlap_now; /* of the smaller radius, largest at the last evaluation */
-    double contact_dt; /* s, step that the springs of the current evaluation have been loaded over */
+    double
+        contact_dt; /* s, step that the springs of the current evaluation have been loaded over */
     contact_tally *tallies;
     body_tally *body_tallies, found;
     exact_sum *tally_work;
@@ -252,7 +258,8 @@ struct clast_world {
         size_t capacity;
         double kinetic, rotational; /* J */
         double half_global;         /* J, half of what global damping takes in the next kick */
-        double work_arrived;        /* J, the part of the next kick's work that belongs to the way so far */
+        double
+            work_arrived; /* J, the part of the next kick's work that belongs to the way so far */
     } view;
 
     struct { /* scratch of the neighbour search */
@@ -269,9 +276,11 @@ struct clast_world {
     char error[4096];
 };
 
-/* ---- who does what -------------------------------------------------------------------------------- */
+/* ---- who does what
+ * -------------------------------------------------------------------------------- */
 
-/* memory.c: growing arrays; all memory of a world is counted. Stops the program when there is none. */
+/* memory.c: growing arrays; all memory of a world is counted. Stops the program when there is none.
+ */
 void *memory_grow(clast_world *w, void *old, size_t old_count, size_t count, size_t size);
 void *memory_copy(clast_world *w, const void *from, size_t count, size_t size);
 char *memory_text(clast_world *w, const char *text);
