@@ -1,5 +1,5 @@
-/* Prints the hash of a short run of the bed, for tests that start it under other conditions: with glibc's
- * variants for FMA and AVX2 masked, as hash_program <baseline|avx2|avx512>. */
+/* Prints the hash of a short run of the bed, for tests that start it under other conditions: with
+ * glibc's variants for FMA and AVX2 masked, as hash_program <baseline|avx2|avx512>. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -22,7 +22,8 @@ static void fill(batch *b, uint64_t seed, int count) {
         if (fresh) continue;
         double f = b->e_star[i] * size * size * 1e-3;
         b->old_overlap[i] = size * roll(&d, 0, 0.05);
-        b->sx[i] = f * roll(&d, -1, 1), b->sy[i] = f * roll(&d, -1, 1), b->sz[i] = f * roll(&d, -1, 1);
+        b->sx[i] = f * roll(&d, -1, 1), b->sy[i] = f * roll(&d, -1, 1),
+        b->sz[i] = f * roll(&d, -1, 1);
         b->old_fx[i] = f * roll(&d, -1, 1), b->old_fy[i] = f * roll(&d, -1, 1);
         b->old_fz[i] = f * roll(&d, -1, 1);
     }
@@ -36,7 +37,8 @@ static void compare(law_run *run, const char *name, uint64_t seed, law_choice ch
     run(&lanes, choice, 1.3e-6);
     if (memcmp(&scalar, &lanes, sizeof scalar) != 0)
         fail_msg("%s, seed %llu, law %d, unloading %d, limit %d: other bits than scalar code", name,
-                 (unsigned long long)seed, (int)choice.law, (int)choice.unloading, (int)choice.limit);
+                 (unsigned long long)seed, (int)choice.law, (int)choice.unloading,
+                 (int)choice.limit);
 }
 
 static void compare_all(law_run *run, const char *name) {
@@ -50,7 +52,8 @@ static void compare_all(law_run *run, const char *name) {
 static void vector_lanes_have_the_bits_of_scalar_code(void **state) {
     (void)state;
     compare_all(law_run_baseline, "baseline");
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) compare_all(law_run_avx2, "avx2");
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        compare_all(law_run_avx2, "avx2");
     else print_message("not compared: this processor has no avx2\n");
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw"))
         compare_all(law_run_avx512, "avx512");

@@ -25,3 +25,25 @@ add_law_lanes(avx512 -O3 -fopenmp-simd -mavx512f -mavx512dq -mavx512vl -mavx512b
     -mprefer-vector-width=512)
 add_test(NAME engine_law_lanes COMMAND engine_law_lanes)
 clast_label(engine_law_lanes)
+
+# the program that engine/README.md shows: built from the public header alone, run, compared
+add_executable(engine_example_thirty_lines engine/example_thirty_lines.c)
+target_link_libraries(engine_example_thirty_lines PRIVATE clast_engine)
+add_test(NAME engine_example COMMAND engine_example_thirty_lines)
+set_tests_properties(engine_example PROPERTIES
+    PASS_REGULAR_EXPRESSION "contacts, .*mJ of motion left.*hash: 0x[0-9a-f]+")
+add_test(NAME engine_example_in_readme COMMAND ${CMAKE_COMMAND}
+    -DREADME=${CMAKE_SOURCE_DIR}/engine/README.md
+    -DPROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/engine/example_thirty_lines.c
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/engine/test_readme.cmake)
+foreach(test engine_example engine_example_in_readme)
+    set_property(TEST ${test} PROPERTY LABELS quick)
+    set_property(TEST ${test} PROPERTY TIMEOUT 60)
+endforeach()
+
+# rules that a reviewer should not have to remember
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/tidy)
+    add_test(NAME tidy COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/tidy ${CMAKE_SOURCE_DIR})
+    add_test(NAME tidy_finds_breaches COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/tidy --self-test)
+    set_tests_properties(tidy tidy_finds_breaches PROPERTIES LABELS quick TIMEOUT 120)
+endif()

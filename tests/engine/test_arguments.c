@@ -1,7 +1,8 @@
 /* Every definition out of its range is refused with a message that names it. */
 #include "tests/support/scene.h"
 
-/* ---- the world --------------------------------------------------------------------------------------- */
+/* ---- the world
+ * --------------------------------------------------------------------------------------- */
 
 typedef struct world_fault {
     size_t offset; /* of a double in clast_world_def */
@@ -14,17 +15,28 @@ typedef struct world_fault {
 static void world_definitions(void **state) {
     (void)state;
     static const world_fault faults[] = {
-        {FIELD(gravity.x), NAN, "gravity"}, {FIELD(gravity.z), INFINITY, "gravity"},
-        {FIELD(global_damping), -1, "global_damping"}, {FIELD(global_damping), INFINITY, "global_damping"},
-        {FIELD(time_step), -1e-5, "time_step"}, {FIELD(time_step), NAN, "time_step"},
-        {FIELD(time_step), INFINITY, "time_step"}, {FIELD(rayleigh_fraction), 0, "rayleigh_fraction"},
-        {FIELD(rayleigh_fraction), 1.01, "rayleigh_fraction"}, {FIELD(contact_resolution), 4.9, "contact_resolution"},
-        {FIELD(contact_resolution), INFINITY, "contact_resolution"}, {FIELD(impact_speed), -1, "impact_speed"},
-        {FIELD(impact_speed), INFINITY, "impact_speed"}, {FIELD(domain_max.y), -10, "domain"},
-        {FIELD(domain_max.y), NAN, "domain"}, {FIELD(domain_max.y), INFINITY, "domain"},
-        {FIELD(domain_min.x), -INFINITY, "domain"}, {FIELD(max_overlap), 0, "guard"},
-        {FIELD(max_displacement), -1, "guard"}, {FIELD(max_residual), NAN, "guard"},
-        {FIELD(skin), -1e-3, "skin"}, {FIELD(skin), INFINITY, "skin"},
+        {FIELD(gravity.x), NAN, "gravity"},
+        {FIELD(gravity.z), INFINITY, "gravity"},
+        {FIELD(global_damping), -1, "global_damping"},
+        {FIELD(global_damping), INFINITY, "global_damping"},
+        {FIELD(time_step), -1e-5, "time_step"},
+        {FIELD(time_step), NAN, "time_step"},
+        {FIELD(time_step), INFINITY, "time_step"},
+        {FIELD(rayleigh_fraction), 0, "rayleigh_fraction"},
+        {FIELD(rayleigh_fraction), 1.01, "rayleigh_fraction"},
+        {FIELD(contact_resolution), 4.9, "contact_resolution"},
+        {FIELD(contact_resolution), INFINITY, "contact_resolution"},
+        {FIELD(impact_speed), -1, "impact_speed"},
+        {FIELD(impact_speed), INFINITY, "impact_speed"},
+        {FIELD(domain_max.y), -10, "domain"},
+        {FIELD(domain_max.y), NAN, "domain"},
+        {FIELD(domain_max.y), INFINITY, "domain"},
+        {FIELD(domain_min.x), -INFINITY, "domain"},
+        {FIELD(max_overlap), 0, "guard"},
+        {FIELD(max_displacement), -1, "guard"},
+        {FIELD(max_residual), NAN, "guard"},
+        {FIELD(skin), -1e-3, "skin"},
+        {FIELD(skin), INFINITY, "skin"},
     };
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
         clast_world_def def = clast_world_def_default();
@@ -43,7 +55,8 @@ static void world_definitions(void **state) {
     }
 }
 
-/* ---- what is added ---------------------------------------------------------------------------------------- */
+/* ---- what is added
+ * ---------------------------------------------------------------------------------------- */
 
 static clast_world *w;
 static two_materials m;
@@ -70,12 +83,15 @@ static void expect(int result, const char *says) {
 
 static void materials(void **state) {
     (void)state;
-    static const double bad[][3] = {{0, 1e9, 0.3}, {-1, 1e9, 0.3}, {NAN, 1e9, 0.3}, {1000, 0, 0.3},
-                                    {1000, INFINITY, 0.3}, {1000, 1e9, -1}, {1000, 1e9, 0.5}, {1000, 1e9, NAN}};
+    static const double bad[][3] = {{0, 1e9, 0.3},    {-1, 1e9, 0.3},        {NAN, 1e9, 0.3},
+                                    {1000, 0, 0.3},   {1000, INFINITY, 0.3}, {1000, 1e9, -1},
+                                    {1000, 1e9, 0.5}, {1000, 1e9, NAN}};
     static const char *const says[] = {"density", "density", "density", "Young", "Young", "Poisson",
                                        "Poisson", "Poisson"};
     for (int i = 0; i < 8; i++) {
-        expect(clast_material_add(w, &(clast_material_def){"clay", bad[i][0], bad[i][1], bad[i][2]}), says[i]);
+        expect(
+            clast_material_add(w, &(clast_material_def){"clay", bad[i][0], bad[i][1], bad[i][2]}),
+            says[i]);
         assert_non_null(strstr(clast_world_error(w), "clay"));
     }
     assert_int_equal(clast_world_material_count(w), 2);
@@ -87,8 +103,9 @@ static void pairs(void **state) {
         {0, 0.3, 0, 1e4, 0}, {1.01, 0.3, 0, 1e4, 0}, {NAN, 0.3, 0, 1e4, 0}, {0.5, -0.1, 0, 1e4, 0},
         {0.5, INFINITY, 0, 1e4, 0}, {0.5, 0.3, -1, 1e4, 0}, {0.5, 0.3, INFINITY, 1e4, 0},
         {0.5, 0.3, 0, 0, 0}, {0.5, 0.3, 0, INFINITY, 0}, {0.5, 0.3, 0, 1e4, -1}};
-    static const char *const says[] = {"restitution", "restitution", "restitution", "friction", "friction",
-                                       "cohesion", "cohesion", "stiffness", "stiffness", "tangential_ratio"};
+    static const char *const says[] = {"restitution", "restitution",     "restitution", "friction",
+                                       "friction",    "cohesion",        "cohesion",    "stiffness",
+                                       "stiffness",   "tangential_ratio"};
     for (int i = 0; i < 10; i++) {
         assert_int_equal(clast_pair_set(w, m.soft, m.hard, &bad[i]), CLAST_ERR_ARGUMENT);
         expect(-1, says[i]);
@@ -99,9 +116,10 @@ static void pairs(void **state) {
     assert_int_equal(clast_pair_set_friction(w, m.soft, m.hard, 0.1), CLAST_OK);
 }
 
-static int shape_of(int count, const clast_vec3 *centre, const double *radius, double mass, clast_vec3 inertia,
-                    int material) {
-    return clast_shape_add(w, &(clast_shape_def){"nut", material, count, centre, radius, mass, inertia, 0, NULL});
+static int shape_of(int count, const clast_vec3 *centre, const double *radius, double mass,
+                    clast_vec3 inertia, int material) {
+    return clast_shape_add(
+        w, &(clast_shape_def){"nut", material, count, centre, radius, mass, inertia, 0, NULL});
 }
 
 static void shapes(void **state) {
@@ -147,7 +165,8 @@ static void parts(void **state) {
     expect(clast_part_add(w, &(clast_part_def){"ram", {1, 0, 0}, 0, 0, NAN}), "time");
 }
 
-static int wall_of(clast_wall_kind kind, clast_vec3 normal, clast_vec3 side, double half, clast_vec3 belt) {
+static int wall_of(clast_wall_kind kind, clast_vec3 normal, clast_vec3 side, double half,
+                   clast_vec3 belt) {
     return clast_wall_add(w, 0, &(clast_wall_def){"gate", kind, m.hard, {0, 0, 0}, normal, side,
                                                   {half, 1}, belt});
 }
@@ -166,8 +185,9 @@ static void walls(void **state) {
     expect(wall_of(CLAST_WALL_PLATE, z, x, INFINITY, none), "not finite");
     expect(wall_of(CLAST_WALL_PLATE, z, none, 1, none), "no side direction");
     expect(wall_of(CLAST_WALL_PLATE, z, vec(1, 0, 0.1), 1, none), "across");
-    expect(clast_wall_add(w, 0, &(clast_wall_def){.name = "gate", .material = 7, .normal = {0, 0, 1}}),
-           "no such material");
+    expect(
+        clast_wall_add(w, 0, &(clast_wall_def){.name = "gate", .material = 7, .normal = {0, 0, 1}}),
+        "no such material");
     assert_int_equal(clast_world_wall_count(w), 0);
     assert_int_equal(wall_of(CLAST_WALL_PLATE, z, x, 1, vec(0.3, 0.2, 0)), 0);
 }
@@ -175,15 +195,20 @@ static void walls(void **state) {
 static void bodies(void **state) {
     (void)state;
     int ball = clast_shape_add_sphere(w, "ball", 0.005, m.soft);
-    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .orientation = {2, 0, 0, 0}}), "unit quaternion");
-    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .orientation = {NAN, 0, 0, 0}}), "unit quaternion");
-    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .position = {NAN, 0, 0}}), "not finite");
-    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .velocity = {0, INFINITY, 0}}), "not finite");
+    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .orientation = {2, 0, 0, 0}}),
+           "unit quaternion");
+    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .orientation = {NAN, 0, 0, 0}}),
+           "unit quaternion");
+    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .position = {NAN, 0, 0}}),
+           "not finite");
+    expect(clast_body_add(w, &(clast_body_def){.shape = ball, .velocity = {0, INFINITY, 0}}),
+           "not finite");
     expect(clast_body_add(w, &(clast_body_def){.shape = ball, .spin = {0, 0, NAN}}), "not finite");
     assert_int_equal(add_body(w, ball, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0)), 0);
 }
 
-/* ---- preparing ---------------------------------------------------------------------------------------------- */
+/* ---- preparing
+ * ---------------------------------------------------------------------------------------------- */
 
 static void a_world_without_shapes(void **state) {
     (void)state;
@@ -220,7 +245,8 @@ static void a_plane_of_motion(void **state) {
         if (i == 2) b.orientation = clast_quat_axis_angle(vec(1, 0, 0), 0.1);
         clast_body_add(own, &b);
         assert_int_equal(clast_world_prepare(own), CLAST_ERR_ARGUMENT);
-        static const char *const says[3] = {"body 0 moves across", "body 0 spins out", "body 0 is tilted"};
+        static const char *const says[3] = {"body 0 moves across", "body 0 spins out",
+                                            "body 0 is tilted"};
         assert_non_null(strstr(clast_world_error(own), says[i]));
         clast_world_free(own);
     }
@@ -228,7 +254,7 @@ static void a_plane_of_motion(void **state) {
 
 #define WITH_WORLD(test) cmocka_unit_test_setup_teardown(test, fresh, gone)
 
-TEST_MAIN(cmocka_unit_test(world_definitions), WITH_WORLD(materials), WITH_WORLD(pairs), WITH_WORLD(shapes),
-          WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls), WITH_WORLD(bodies),
-          WITH_WORLD(a_world_without_shapes), WITH_WORLD(pairs_that_are_missing_are_named_once),
-          cmocka_unit_test(a_plane_of_motion))
+TEST_MAIN(cmocka_unit_test(world_definitions), WITH_WORLD(materials), WITH_WORLD(pairs),
+          WITH_WORLD(shapes), WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls),
+          WITH_WORLD(bodies), WITH_WORLD(a_world_without_shapes),
+          WITH_WORLD(pairs_that_are_missing_are_named_once), cmocka_unit_test(a_plane_of_motion))

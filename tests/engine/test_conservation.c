@@ -10,17 +10,21 @@ typedef struct motion {
 static clast_vec3 spin_momentum(clast_world *w, const body_state *b) {
     clast_vec3 i = clast_world_shape(w, b->shape).inertia, s = b->spin;
     clast_quat q = b->orientation;
-    clast_vec3 x = {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)};
-    clast_vec3 y = {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)};
+    clast_vec3 x = {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z),
+                    2 * (q.x * q.z - q.w * q.y)};
+    clast_vec3 y = {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z),
+                    2 * (q.y * q.z + q.w * q.x)};
     clast_vec3 z = cross(x, y);
-    return plus(times(i.x * dot(s, x), x), plus(times(i.y * dot(s, y), y), times(i.z * dot(s, z), z)));
+    return plus(times(i.x * dot(s, x), x),
+                plus(times(i.y * dot(s, y), y), times(i.z * dot(s, z), z)));
 }
 
 static motion motion_of(clast_world *w, int count) {
     motion m = {{0, 0, 0}, {0, 0, 0}, 0, 0};
     for (int id = 0; id < count; id++) {
         body_state b = body_of(w, id);
-        clast_vec3 p = times(b.mass, b.velocity), l = cross(b.position, p), own = spin_momentum(w, &b);
+        clast_vec3 p = times(b.mass, b.velocity), l = cross(b.position, p),
+                   own = spin_momentum(w, &b);
         m.momentum = plus(m.momentum, p);
         m.angular = plus(m.angular, plus(l, own));
         m.size_p += norm(p), m.size_l += norm(l) + norm(own);
@@ -42,7 +46,8 @@ static clast_world *cloud(clast_law law, uint64_t seed) {
     dice d = {seed, 0};
     for (int i = 0; i < CLOUD; i++) {
         clast_vec3 p = {0.027 * (i % 4 - 1.5), 0.027 * (i / 4 % 4 - 1.5), 0.027 * (i / 16 - 1)};
-        clast_vec3 v = plus(times(-9.0, p), vec(roll(&d, -.1, .1), roll(&d, -.1, .1), roll(&d, -.1, .1)));
+        clast_vec3 v =
+            plus(times(-9.0, p), vec(roll(&d, -.1, .1), roll(&d, -.1, .1), roll(&d, -.1, .1)));
         clast_body_def b = {shapes[i % 4], p, any_orientation(&d), v,
                             {roll(&d, -9, 9), roll(&d, -9, 9), roll(&d, -9, 9)}};
         if (clast_body_add(w, &b) < 0) fail_msg("%s", clast_world_error(w));
@@ -52,7 +57,8 @@ static clast_world *cloud(clast_law law, uint64_t seed) {
 
 static void check_cloud(clast_law law, uint64_t seed) {
     clast_world *w = cloud(law, seed);
-    if (clast_world_prepare(w)) fail_msg("seed %llu: %s", (unsigned long long)seed, clast_world_error(w));
+    if (clast_world_prepare(w))
+        fail_msg("seed %llu: %s", (unsigned long long)seed, clast_world_error(w));
     motion before = motion_of(w, CLOUD);
     size_t contacts = 0;
     while (clast_world_time(w) < 0.15) {
@@ -104,4 +110,5 @@ static void a_long_bounce_does_not_drift(void **state) {
     }
 }
 
-TEST_MAIN(cmocka_unit_test(a_cloud_keeps_its_momenta), cmocka_unit_test(a_long_bounce_does_not_drift))
+TEST_MAIN(cmocka_unit_test(a_cloud_keeps_its_momenta),
+          cmocka_unit_test(a_long_bounce_does_not_drift))

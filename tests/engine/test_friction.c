@@ -3,10 +3,12 @@
 
 static const double PI = 3.14159265358979323846, G = 9.79;
 
-/* ---- oblique impact ----------------------------------------------------------------------------- */
+/* ---- oblique impact -----------------------------------------------------------------------------
+ */
 
-/* Grazing impacts slide all along: the tangential impulse is mu times the normal one, and the spin gains
- * 5/2 of it over m r (Walton's sliding branch); the arm is shorter by at most half the overlap. */
+/* Grazing impacts slide all along: the tangential impulse is mu times the normal one, and the spin
+ * gains 5/2 of it over m r (Walton's sliding branch); the arm is shorter by at most half the
+ * overlap. */
 static void a_grazing_impact_slides(void **state) {
     (void)state;
     for (int l = 0; l < 3; l++) {
@@ -52,7 +54,8 @@ static void a_sticking_impact_forgets_the_coefficient(void **state) {
     CHECK_BELOW(fabs(a), 0.13 * collide(&c).normal_impulse * 40);
 }
 
-/* ---- an incline ------------------------------------------------------------------------------------ */
+/* ---- an incline
+ * ------------------------------------------------------------------------------------ */
 
 typedef struct slope {
     clast_world *w;
@@ -123,7 +126,8 @@ static void a_slipping_ball_spins_up(void **state) {
     clast_world_free(s.w);
 }
 
-/* ---- belts and moving plates ------------------------------------------------------------------------- */
+/* ---- belts and moving plates
+ * ------------------------------------------------------------------------- */
 
 typedef struct carried {
     clast_world *w;
@@ -235,11 +239,14 @@ static void a_wall_finds_a_body_at_rest(void **state) {
     }
 }
 
-TEST_MAIN(cmocka_unit_test(a_grazing_impact_slides), cmocka_unit_test(unequal_spheres_slide_likewise),
+TEST_MAIN(cmocka_unit_test(a_grazing_impact_slides),
+          cmocka_unit_test(unequal_spheres_slide_likewise),
           cmocka_unit_test(a_spinning_ball_kicks_off),
           cmocka_unit_test(a_sticking_impact_forgets_the_coefficient),
           cmocka_unit_test(a_ball_rolls_with_five_sevenths),
-          cmocka_unit_test(a_ball_slides_down_a_steep_slope), cmocka_unit_test(a_slipping_ball_spins_up),
-          cmocka_unit_test(a_belt_carries_a_clump), cmocka_unit_test(a_moving_plate_carries_a_clump),
+          cmocka_unit_test(a_ball_slides_down_a_steep_slope),
+          cmocka_unit_test(a_slipping_ball_spins_up), cmocka_unit_test(a_belt_carries_a_clump),
+          cmocka_unit_test(a_moving_plate_carries_a_clump),
           cmocka_unit_test(a_plate_that_stops_lets_the_clump_stop),
-          cmocka_unit_test(lifting_work_is_energy_gained), cmocka_unit_test(a_wall_finds_a_body_at_rest))
+          cmocka_unit_test(lifting_work_is_energy_gained),
+          cmocka_unit_test(a_wall_finds_a_body_at_rest))

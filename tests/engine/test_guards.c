@@ -39,15 +39,20 @@ static void expect(clast_world *w, clast_status got, const char *const *words) {
 
 static void a_step_far_too_large_is_noticed(void **state) {
     (void)state;
-    const char *words[] = {"run failed at step", "t = ", "body 1 (marble) at (-0.1, 0.2", "limit 0.1", NULL};
+    const char *words[] = {"run failed at step", "t = ", "body 1 (marble) at (-0.1, 0.2",
+                           "limit 0.1", NULL};
     clast_world *w = drop(CLAST_GUARD_STOP, 1e-3, 0.3, 0.05);
     expect(w, clast_world_run(w, 1), words);
 }
 
 static void a_deep_overlap_is_noticed(void **state) {
     (void)state;
-    const char *words[] = {"overlap", "of the smaller radius (limit 0.001)", "force", "body 0 (marble)",
-                           "against wall table top", NULL};
+    const char *words[] = {"overlap",
+                           "of the smaller radius (limit 0.001)",
+                           "force",
+                           "body 0 (marble)",
+                           "against wall table top",
+                           NULL};
     clast_world *w = drop(CLAST_GUARD_STOP, 1e-5, 0.01, 0.001);
     expect(w, clast_world_run(w, 1), words);
 }
@@ -85,11 +90,13 @@ static void a_hole_in_the_books_is_noticed(void **state) {
     const char *words[] = {"energy residual", "J is", "put in (limit 0.05)", "step 2000", NULL};
     clast_world *w = drop(CLAST_GUARD_STOP, 1e-5, 0.01, 0.05);
     steps(w, 1500);
-    for (size_t i = 0; i < w->bodies.count; i++) w->bodies.vz[i] = w->bodies.vz[i] < 0 ? -0.05 : 0.05;
+    for (size_t i = 0; i < w->bodies.count; i++)
+        w->bodies.vz[i] = w->bodies.vz[i] < 0 ? -0.05 : 0.05;
     expect(w, clast_world_run(w, 1), words);
 }
 
-/* ---- report --------------------------------------------------------------------------------------------- */
+/* ---- report
+ * --------------------------------------------------------------------------------------------- */
 
 static void report_counts_and_goes_on(void **state) {
     (void)state;
@@ -107,7 +114,8 @@ static void report_counts_and_goes_on(void **state) {
     }
 }
 
-/* ---- the start -------------------------------------------------------------------------------------------- */
+/* ---- the start
+ * -------------------------------------------------------------------------------------------- */
 
 static clast_status crowded(clast_world **w, int bodies, double max_overlap) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
@@ -116,7 +124,8 @@ static clast_status crowded(clast_world **w, int bodies, double max_overlap) {
     clast_pair_def law = pair_of(1, 0.3);
     two_materials m = add_materials(*w, &law);
     int ball = clast_shape_add_sphere(*w, "pea", 0.005, m.soft);
-    for (int i = 0; i < bodies; i++) add_body(*w, ball, vec(0.007 * i, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
+    for (int i = 0; i < bodies; i++)
+        add_body(*w, ball, vec(0.007 * i, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
     return clast_world_prepare(*w);
 }
 
@@ -125,7 +134,8 @@ static void overlaps_at_the_start_are_all_named(void **state) {
     clast_world *w;
     assert_int_equal(crowded(&w, 4, 0.05), CLAST_ERR_ARGUMENT);
     const char *e = clast_world_error(w);
-    assert_non_null(strstr(e, "starts with an overlap of 3 mm, 0.6 of the smaller radius (limit 0.05)"));
+    assert_non_null(
+        strstr(e, "starts with an overlap of 3 mm, 0.6 of the smaller radius (limit 0.05)"));
     assert_non_null(strstr(e, "body 0 (pea) at (0, 0, 0)"));
     assert_non_null(strstr(e, "body 3 (pea)"));
     assert_int_equal(clast_world_step(w), CLAST_ERR_ARGUMENT); /* and again */
@@ -165,10 +175,13 @@ static void coinciding_bodies_are_noticed(void **state) {
     clast_world_free(w);
 }
 
-TEST_MAIN(cmocka_unit_test(a_step_far_too_large_is_noticed), cmocka_unit_test(a_deep_overlap_is_noticed),
+TEST_MAIN(cmocka_unit_test(a_step_far_too_large_is_noticed),
+          cmocka_unit_test(a_deep_overlap_is_noticed),
           cmocka_unit_test(a_speed_that_is_not_a_number_is_noticed),
           cmocka_unit_test(a_spin_that_is_not_a_number_is_noticed),
-          cmocka_unit_test(a_body_outside_is_noticed), cmocka_unit_test(a_hole_in_the_books_is_noticed),
-          cmocka_unit_test(report_counts_and_goes_on), cmocka_unit_test(overlaps_at_the_start_are_all_named),
+          cmocka_unit_test(a_body_outside_is_noticed),
+          cmocka_unit_test(a_hole_in_the_books_is_noticed),
+          cmocka_unit_test(report_counts_and_goes_on),
+          cmocka_unit_test(overlaps_at_the_start_are_all_named),
           cmocka_unit_test(bodies_that_start_outside_are_named),
           cmocka_unit_test(coinciding_bodies_are_noticed))

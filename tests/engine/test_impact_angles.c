@@ -1,4 +1,5 @@
-/* A collision never makes energy, from head-on to grazing; A00 1.14 as printed does, and by how much. */
+/* A collision never makes energy, from head-on to grazing; A00 1.14 as printed does, and by how
+ * much. */
 #include "tests/support/collision.h"
 
 static const double PI = 3.14159265358979323846;
@@ -27,12 +28,16 @@ static double worst_gain(collision c, double resolution) {
 
 static void check_law(clast_law law, const char *name, double e, clast_friction_limit limit,
                       bool against_plane) {
-    collision c = {.law = law, .limit = limit, .pair = pair_of(e, 0), .against_plane = against_plane};
+    collision c = {
+        .law = law, .limit = limit, .pair = pair_of(e, 0), .against_plane = against_plane};
     double coarse = worst_gain(c, 12), middle = worst_gain(c, 40), fine = worst_gain(c, 130);
     if (fmax(coarse, fmax(middle, fine)) <= 0) return;
-    print_message("%s e %.2f limit %d plane %d: gain %.1e at 12 steps per contact, %.1e at 40, %.1e at"
-                  " 130\n", name, e, (int)limit, against_plane, coarse, middle, fine);
-    /* without a dashpot the error of integration may have either sign, and falls like the step squared */
+    print_message(
+        "%s e %.2f limit %d plane %d: gain %.1e at 12 steps per contact, %.1e at 40, %.1e at"
+        " 130\n",
+        name, e, (int)limit, against_plane, coarse, middle, fine);
+    /* without a dashpot the error of integration may have either sign, and falls like the step
+     * squared */
     assert_true(e == 1);
     CHECK_BELOW(coarse, 0.5 / (12 * 12));
     CHECK_BELOW(middle, 0.5 / (40 * 40));
@@ -49,7 +54,8 @@ static void no_impact_makes_energy(void **state) {
             }
 }
 
-/* ---- the as-printed mode --------------------------------------------------------------------------- */
+/* ---- the as-printed mode
+ * --------------------------------------------------------------------------- */
 
 static const double G = 9.79, RADIUS = 0.0043;
 
@@ -100,7 +106,8 @@ static void the_law_as_printed_makes_energy(void **state) {
     (void)state;
     double most = 0;
     for (double rock = 0.5; rock < 3; rock *= 1.38)
-        most = fmax(most, gain_while_rocking(CLAST_LAW_HERTZ_A00, CLAST_UNLOAD_AS_PRINTED, 200, rock, 2.5));
+        most = fmax(
+            most, gain_while_rocking(CLAST_LAW_HERTZ_A00, CLAST_UNLOAD_AS_PRINTED, 200, rock, 2.5));
     print_message("A00 1.14 as printed: a rocking ball gains %.0f %% of its energy\n", 100 * most);
     CHECK_BELOW(0.3, most);
 }
@@ -113,19 +120,23 @@ static void rescaling_makes_none(void **state) {
                 double gain = gain_while_rocking(LAWS[l], CLAST_UNLOAD_RESCALE, 100, rock, turn);
                 double half = gain_while_rocking(LAWS[l], CLAST_UNLOAD_RESCALE, 200, rock, turn);
                 if (gain > 1e-5) print_message("%s: %.1e, %.1e\n", LAW_NAMES[l], gain, half);
-                CHECK_BELOW(half, fmax(1e-7, 0.3 * gain)); /* what there is, is error of integration */
+                CHECK_BELOW(half,
+                            fmax(1e-7, 0.3 * gain)); /* what there is, is error of integration */
             }
 }
 
-/* Keeping the displacement (Mindlin as printed) instead of the force is another choice: its energy. */
+/* Keeping the displacement (Mindlin as printed) instead of the force is another choice: its energy.
+ */
 static void the_printed_mindlin_spring(void **state) {
     (void)state;
     double most = 0;
     for (double rock = 0.5; rock < 3; rock *= 1.38)
-        most = fmax(most, gain_while_rocking(CLAST_LAW_HERTZ_MINDLIN, CLAST_UNLOAD_AS_PRINTED, 200, rock, 2.5));
+        most = fmax(most, gain_while_rocking(CLAST_LAW_HERTZ_MINDLIN, CLAST_UNLOAD_AS_PRINTED, 200,
+                                             rock, 2.5));
     print_message("Hertz-Mindlin as printed: a rocking ball gains %.1f %%\n", 100 * most);
     CHECK_BELOW(0.1, most);
 }
 
-TEST_MAIN(cmocka_unit_test(no_impact_makes_energy), cmocka_unit_test(the_law_as_printed_makes_energy),
-          cmocka_unit_test(rescaling_makes_none), cmocka_unit_test(the_printed_mindlin_spring))
+TEST_MAIN(cmocka_unit_test(no_impact_makes_energy),
+          cmocka_unit_test(the_law_as_printed_makes_energy), cmocka_unit_test(rescaling_makes_none),
+          cmocka_unit_test(the_printed_mindlin_spring))

@@ -6,7 +6,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* ---- a smooth problem: a ball between two springs --------------------------------------------------- */
+/* ---- a smooth problem: a ball between two springs
+ * --------------------------------------------------- */
 
 /* A ball pressed between two planes of the linear law never leaves them: a harmonic oscillator. */
 static double oscillator_error(double steps_per_period) {
@@ -83,7 +84,8 @@ static void global_damping_is_exponential(void **state) {
     CHECK_NEAR(order_of(residual[0], residual[1], 2), 2, 0.05);
 }
 
-/* ---- the free top -------------------------------------------------------------------------------------- */
+/* ---- the free top
+ * -------------------------------------------------------------------------------------- */
 
 static const clast_vec3 START_SPIN = {3.1, 41, 0.7}; /* near the middle axis: it tumbles */
 
@@ -128,7 +130,8 @@ static double orientation_error(double dt) {
     clast_vec3 inertia;
     clast_world *w = top(dt, &inertia);
     run_to(w, 0.8);
-    clast_quat q = body_of(w, 0).orientation, r = reference_orientation(inertia, clast_world_time(w));
+    clast_quat q = body_of(w, 0).orientation,
+               r = reference_orientation(inertia, clast_world_time(w));
     clast_world_free(w);
     double same = fabs(q.w * r.w + q.x * r.x + q.y * r.y + q.z * r.z);
     return 2 * sqrt(fmax(0, 1 - same * same));
@@ -169,13 +172,14 @@ static double energy_error(double dt, double *momentum_error) {
 static void a_free_top_keeps_momentum_and_energy(void **state) {
     (void)state;
     double l, ignored, coarse = energy_error(8e-4, &l), fine = energy_error(4e-4, &ignored);
-    print_message("top, 8 s: energy off by %.2e and %.2e, order %.2f; momentum by %.1e\n", coarse, fine,
-                  order_of(coarse, fine, 2), l);
+    print_message("top, 8 s: energy off by %.2e and %.2e, order %.2f; momentum by %.1e\n", coarse,
+                  fine, order_of(coarse, fine, 2), l);
     CHECK_NEAR(order_of(coarse, fine, 2), 2, 0.1);
     CHECK_BELOW(l, 1e-12);
 }
 
-/* ---- in a plane and in space ------------------------------------------------------------------------------ */
+/* ---- in a plane and in space
+ * ------------------------------------------------------------------------------ */
 
 enum { BODIES = 12 };
 
@@ -228,4 +232,5 @@ static void in_a_plane_is_in_space(void **state) {
 TEST_MAIN(cmocka_unit_test(leapfrog_is_second_order), cmocka_unit_test(free_fall_is_exact),
           cmocka_unit_test(global_damping_is_exponential),
           cmocka_unit_test(a_free_top_follows_the_reference),
-          cmocka_unit_test(a_free_top_keeps_momentum_and_energy), cmocka_unit_test(in_a_plane_is_in_space))
+          cmocka_unit_test(a_free_top_keeps_momentum_and_energy),
+          cmocka_unit_test(in_a_plane_is_in_space))

@@ -1,10 +1,11 @@
-/* The arithmetic under everything: sums without order, elementary functions, random numbers, the fit of
- * spheres to an ellipse. */
+/* The arithmetic under everything: sums without order, elementary functions, random numbers, the
+ * fit of spheres to an ellipse. */
 #include "engine/numbers.h"
 #include "engine/sum.h"
 #include "tests/support/scene.h"
 
-/* ---- sums ------------------------------------------------------------------------------------- */
+/* ---- sums -------------------------------------------------------------------------------------
+ */
 
 enum { TERMS = 420000 };
 
@@ -38,7 +39,8 @@ static void check_order(double (*term)(dice *), const char *name) {
         shuffle(order, seed);
         double got = sum_of(terms, order, 1 + (int)(seed % 5), 8.0);
         if (memcmp(&got, &want, sizeof got) != 0)
-            fail_msg("%s: order %llu gives %.17g, not %.17g", name, (unsigned long long)seed, got, want);
+            fail_msg("%s: order %llu gives %.17g, not %.17g", name, (unsigned long long)seed, got,
+                     want);
     }
     free(terms), free(order);
 }
@@ -68,7 +70,8 @@ static void a_sum_is_right(void **state) {
     CHECK_NEAR(sum_value(&sum), 0, 0);
 }
 
-/* ---- elementary functions --------------------------------------------------------------------------- */
+/* ---- elementary functions
+ * --------------------------------------------------------------------------- */
 
 static void sincos_agrees_with_libm(void **state) {
     (void)state;
@@ -111,9 +114,11 @@ static void powers_of_two(void **state) {
     assert_true(number_power_of_two_above(1e-200) < 2e-200);
 }
 
-/* ---- random numbers ----------------------------------------------------------------------------------- */
+/* ---- random numbers
+ * ----------------------------------------------------------------------------------- */
 
-/* Known answers of Philox 4x32-10 (Random123, kat_vectors): the first two words of counter and key. */
+/* Known answers of Philox 4x32-10 (Random123, kat_vectors): the first two words of counter and key.
+ */
 static void philox_gives_the_published_words(void **state) {
     (void)state;
     double zero = (double)(0x6627e8d5e169c58dull >> 11) * 0x1p-53;
@@ -142,7 +147,8 @@ static void random_numbers_are_uniform(void **state) {
     CHECK_NEAR(product, 0, 3.3 / 12 / sqrt(n));
 }
 
-/* ---- spheres on an ellipse, A00 2.2.2 --------------------------------------------------------------------- */
+/* ---- spheres on an ellipse, A00 2.2.2
+ * --------------------------------------------------------------------- */
 
 /* Appendix E: the button in seven spheres. Lengths in cm as printed there. */
 static void the_button_of_appendix_e(void **state) {

@@ -19,7 +19,8 @@ static clast_world *random_cloud(uint64_t seed, double skin) {
     double half = roll(&d, 0.01, 0.06), flat = roll(&d, 0, 1) < 0.3 ? 0.05 : 1;
     for (int i = 0; i < bodies; i++) {
         clast_vec3 p = {roll(&d, -half, half), flat * roll(&d, -half, half), roll(&d, -half, half)};
-        clast_body_def b = {shapes[(int)roll(&d, 0, 5)], p, any_orientation(&d), {0, 0, 0}, {0, 0, 0}};
+        clast_body_def b = {
+            shapes[(int)roll(&d, 0, 5)], p, any_orientation(&d), {0, 0, 0}, {0, 0, 0}};
         assert_true(clast_body_add(w, &b) >= 0);
     }
     int part = clast_part_add(w, &(clast_part_def){.name = "walls"});
@@ -70,14 +71,16 @@ static size_t by_brute_force(clast_world *w, name *found) {
         int own = i - first_of(&s, i);
         for (int j = 0; j < (int)s.count; j++) {
             uint32_t other = b.id[s.body[j]];
-            double overlap = s.radius[i] + s.radius[j] - norm(minus(p, vec(s.x[j], s.y[j], s.z[j])));
+            double overlap =
+                s.radius[i] + s.radius[j] - norm(minus(p, vec(s.x[j], s.y[j], s.z[j])));
             if (other > id && overlap > 0)
                 found[count++] = (name){id, other, own, j - first_of(&s, j), overlap};
         }
         for (int l = 0; l < clast_world_wall_count(w); l++) {
             clast_wall_def d = clast_world_wall(w, l);
             double overlap = wall_overlap(&d, p, s.radius[i]);
-            if (overlap > 0) found[count++] = (name){id, CLAST_WALL_ID + (uint32_t)l, own, 0, overlap};
+            if (overlap > 0)
+                found[count++] = (name){id, CLAST_WALL_ID + (uint32_t)l, own, 0, overlap};
         }
         assert_true(count < MOST);
     }

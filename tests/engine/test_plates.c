@@ -21,8 +21,15 @@ static bench new_bench(double friction) {
 }
 
 static int add_plate(bench *b, double x, double y, double half_x, double half_y) {
-    int wall = clast_wall_add(b->w, b->part, &(clast_wall_def){
-        "plate", CLAST_WALL_PLATE, b->hard, {x, y, 0}, {0, 0, 3}, {1, 0, 0}, {half_x, half_y}, {0, 0, 0}});
+    int wall = clast_wall_add(b->w, b->part,
+                              &(clast_wall_def){"plate",
+                                                CLAST_WALL_PLATE,
+                                                b->hard,
+                                                {x, y, 0},
+                                                {0, 0, 3},
+                                                {1, 0, 0},
+                                                {half_x, half_y},
+                                                {0, 0, 0}});
     if (wall < 0) fail_msg("%s", clast_world_error(b->w));
     return wall;
 }
@@ -90,7 +97,8 @@ static void beyond_a_corner_there_is_nothing(void **state) {
     assert_int_equal(n, 0);
 }
 
-/* ---- seams ------------------------------------------------------------------------------------------ */
+/* ---- seams
+ * ------------------------------------------------------------------------------------------ */
 
 /* Everywhere near a seam, a T, and an overlap, two plates give the force of one. */
 static void coplanar_plates_are_one(void **state) {
@@ -98,14 +106,17 @@ static void coplanar_plates_are_one(void **state) {
     for (int layout = 0; layout < 3; layout++)
         for (int i = -12; i <= 12; i++) {
             bench b = new_bench(0);
-            if (layout == 0) add_plate(&b, -0.03, 0, 0.03, 0.02), add_plate(&b, 0.03, 0, 0.03, 0.02);
-            if (layout == 1) add_plate(&b, -0.02, 0.001, 0.03, 0.02), add_plate(&b, 0.02, 0, 0.03, 0.02);
+            if (layout == 0)
+                add_plate(&b, -0.03, 0, 0.03, 0.02), add_plate(&b, 0.03, 0, 0.03, 0.02);
+            if (layout == 1)
+                add_plate(&b, -0.02, 0.001, 0.03, 0.02), add_plate(&b, 0.02, 0, 0.03, 0.02);
             if (layout == 2) {
                 add_plate(&b, -0.03, 0, 0.03, 0.02);
                 add_plate(&b, 0.03, -0.015, 0.03, 0.015), add_plate(&b, 0.03, 0.015, 0.03, 0.015);
             }
             size_t n;
-            clast_vec3 f = force_at(&b, vec(0.1 * R * i, layout == 2 ? 1e-4 * i : 0.002, 0.96 * R), &n);
+            clast_vec3 f =
+                force_at(&b, vec(0.1 * R * i, layout == 2 ? 1e-4 * i : 0.002, 0.96 * R), &n);
             if (n != 1) fail_msg("layout %d, place %d: %zu contacts", layout, i, n);
             check_force(f, vec(0, 0, 1), 0.04 * R);
         }
@@ -129,8 +140,8 @@ static void a_seam_is_not_felt(void **state) {
     CHECK_NEAR(speed[1], speed[0], 1e-15);
 }
 
-/* With friction the spring starts anew on the second plate: histories are kept per wall. The loss is at
- * most what the spring held. */
+/* With friction the spring starts anew on the second plate: histories are kept per wall. The loss
+ * is at most what the spring held. */
 static void a_seam_costs_the_spring_at_most(void **state) {
     (void)state;
     double energy[2];
@@ -152,7 +163,8 @@ static void a_seam_costs_the_spring_at_most(void **state) {
     CHECK_NEAR(energy[1] / energy[0], 1, 2e-2);
 }
 
-/* ---- what goes away ------------------------------------------------------------------------------------- */
+/* ---- what goes away
+ * ------------------------------------------------------------------------------------- */
 
 static void a_removed_part_lets_go(void **state) {
     (void)state;
@@ -163,8 +175,15 @@ static void a_removed_part_lets_go(void **state) {
     two_materials m = add_materials(w, &pair);
     int rod = add_rod(w, m.soft, R);
     int plug = clast_part_add(w, &(clast_part_def){.name = "plug", .removed_at = 0.05});
-    clast_wall_add(w, plug, &(clast_wall_def){"plug", CLAST_WALL_PLATE, m.hard, {0, 0, 0}, {0, 0, 1},
-                                              {1, 0, 0}, {0.1, 0.1}, {0, 0, 0}});
+    clast_wall_add(w, plug,
+                   &(clast_wall_def){"plug",
+                                     CLAST_WALL_PLATE,
+                                     m.hard,
+                                     {0, 0, 0},
+                                     {0, 0, 1},
+                                     {1, 0, 0},
+                                     {0.1, 0.1},
+                                     {0, 0, 0}});
     add_body(w, rod, vec(0, 0, 0.998 * R), vec(0, 0, 0), vec(0, 0, 0));
     run_to(w, 0.0499);
     assert_true(clast_world_part_present(w, plug) && contact_count(w) == 2);
@@ -218,6 +237,8 @@ static void leaving_the_domain_keeps_the_books(void **state) {
 TEST_MAIN(cmocka_unit_test(a_face_pushes_from_both_sides),
           cmocka_unit_test(an_edge_pushes_along_the_shortest_line),
           cmocka_unit_test(a_corner_pushes_from_its_point),
-          cmocka_unit_test(beyond_a_corner_there_is_nothing), cmocka_unit_test(coplanar_plates_are_one),
-          cmocka_unit_test(a_seam_is_not_felt), cmocka_unit_test(a_seam_costs_the_spring_at_most),
-          cmocka_unit_test(a_removed_part_lets_go), cmocka_unit_test(leaving_the_domain_keeps_the_books))
+          cmocka_unit_test(beyond_a_corner_there_is_nothing),
+          cmocka_unit_test(coplanar_plates_are_one), cmocka_unit_test(a_seam_is_not_felt),
+          cmocka_unit_test(a_seam_costs_the_spring_at_most),
+          cmocka_unit_test(a_removed_part_lets_go),
+          cmocka_unit_test(leaving_the_domain_keeps_the_books))

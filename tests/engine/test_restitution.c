@@ -1,6 +1,6 @@
 /* The rebound that the scene asks for: the solved damping ratio against closed form and an adaptive
- * reference, then the running engine, with its order of convergence. Rejected as a reference: the closed
- * forms S12 2.21 and A00 1.20, which leave the cut-off out (FACTS 1). */
+ * reference, then the running engine, with its order of convergence. Rejected as a reference: the
+ * closed forms S12 2.21 and A00 1.20, which leave the cut-off out (FACTS 1). */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
@@ -9,7 +9,8 @@
 
 static const double ASKED[6] = {0.1, 0.3, 0.55, 0.72, 0.9, 1.0};
 
-/* ---- the solved damping ratio --------------------------------------------------------------------- */
+/* ---- the solved damping ratio
+ * --------------------------------------------------------------------- */
 
 /* S12 2.18 with the cut-off 2.23: released where the force vanishes, not where the overlap does. */
 static double linear_closed_form(double z) {
@@ -81,7 +82,8 @@ static void the_damping_ratio_inverts_the_restitution(void **state) {
                 clast_damping_ratio(CLAST_LAW_HERTZ_MINDLIN, 0.72));
 }
 
-/* ---- the running engine ------------------------------------------------------------------------------ */
+/* ---- the running engine
+ * ------------------------------------------------------------------------------ */
 
 /* Worst error over four places within a step where the contact can begin. */
 static double error_at(collision c, double resolution) {
@@ -95,12 +97,13 @@ static double error_at(collision c, double resolution) {
 }
 
 /* Leapfrog takes the dashpot's velocity half a step late: first order with damping, with a small
- * coefficient near e = 1. Without damping the onset of the contact decides: 2.5 (Hertz), 3 (linear). */
+ * coefficient near e = 1. Without damping the onset of the contact decides: 2.5 (Hertz), 3
+ * (linear). */
 static void check_convergence(clast_law law, const char *name, double e, bool against_plane) {
     collision c = {.law = law, .pair = pair_of(e, 0.3), .against_plane = against_plane};
     double coarse = error_at(c, 80), fine = error_at(c, 640), order = order_of(coarse, fine, 8);
-    print_message("%s %s e %.2f: error %.2e at 80 steps per contact, %.2e at 640, order %.2f\n", name,
-                  against_plane ? "plane " : "sphere", e, coarse, fine, order);
+    print_message("%s %s e %.2f: error %.2e at 80 steps per contact, %.2e at 640, order %.2f\n",
+                  name, against_plane ? "plane " : "sphere", e, coarse, fine, order);
     if (e == 1) CHECK_NEAR(order, law == CLAST_LAW_LINEAR ? 3 : 2.5, 0.05);
     else CHECK_BELOW(0.97, order);
     CHECK_BELOW(fine, 8.0e-4);
@@ -133,11 +136,12 @@ static void hertz_rebounds_alike_at_any_speed(void **state) {
     CHECK_NEAR(collide(&c).restitution, fast, 1e-9);
 }
 
-/* ---- duration and largest overlap ----------------------------------------------------------------------- */
+/* ---- duration and largest overlap
+ * ----------------------------------------------------------------------- */
 
-/* S12 2.22 and 2.26, damped linear contact with the cut-off: largest overlap v/w0 exp(-z/w atan(w/z)); the
- * force ends at atan2(2zw, 2z^2-1)/(w w0), and the rest of the overlap, 2z e v/w0, is left behind at speed
- * e v. */
+/* S12 2.22 and 2.26, damped linear contact with the cut-off: largest overlap v/w0 exp(-z/w
+ * atan(w/z)); the force ends at atan2(2zw, 2z^2-1)/(w w0), and the rest of the overlap, 2z e v/w0,
+ * is left behind at speed e v. */
 static void linear_duration_and_overlap(void **state) {
     (void)state;
     for (int i = 1; i < 6; i++) {
@@ -188,7 +192,8 @@ static void hertz_duration_and_overlap(void **state) {
 TEST_MAIN(cmocka_unit_test(linear_restitution_has_a_closed_form),
           cmocka_unit_test(hertz_restitution_agrees_with_an_adaptive_integration),
           cmocka_unit_test(the_damping_ratio_inverts_the_restitution),
-          cmocka_unit_test(every_law_rebounds_as_asked), cmocka_unit_test(planes_rebound_like_spheres),
+          cmocka_unit_test(every_law_rebounds_as_asked),
+          cmocka_unit_test(planes_rebound_like_spheres),
           cmocka_unit_test(hertz_rebounds_alike_at_any_speed),
           cmocka_unit_test(linear_duration_and_overlap),
           cmocka_unit_test(hertz_constants_come_from_quadrature),

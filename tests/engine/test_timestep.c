@@ -12,7 +12,8 @@ static clast_world *chain_world(int n, double fraction, double speed) {
     double r = 0.01 * cbrt(1.0 / n), radius[4] = {r, r, r, r};
     clast_vec3 centre[4];
     for (int i = 0; i < n; i++) centre[i] = vec(2 * r * (i - 0.5 * (n - 1)), 0, 0);
-    int shape = clast_shape_add(w, &(clast_shape_def){"chain", m, n, centre, radius, 0, {0, 0, 0}, 0, NULL});
+    int shape = clast_shape_add(
+        w, &(clast_shape_def){"chain", m, n, centre, radius, 0, {0, 0, 0}, 0, NULL});
     assert_true(shape >= 0);
     add_body(w, shape, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
     assert_int_equal(clast_world_prepare(w), CLAST_OK);
@@ -109,7 +110,9 @@ static void time_is_counted_not_summed(void **state) {
     clast_world_free(w);
 }
 
-TEST_MAIN(cmocka_unit_test(rayleigh_steps_of_the_chains), cmocka_unit_test(auto_takes_the_smaller_limit),
-          cmocka_unit_test(contact_time_is_that_of_a_collision), cmocka_unit_test(the_impact_speed_of_a_fall),
+TEST_MAIN(cmocka_unit_test(rayleigh_steps_of_the_chains),
+          cmocka_unit_test(auto_takes_the_smaller_limit),
+          cmocka_unit_test(contact_time_is_that_of_a_collision),
+          cmocka_unit_test(the_impact_speed_of_a_fall),
           cmocka_unit_test(the_critical_step_is_the_limit_of_stability),
           cmocka_unit_test(time_is_counted_not_summed))

@@ -16,10 +16,15 @@ static int add_clump(clast_world *w, int material, double r, int spheres) {
         centre[i] = (clast_vec3){1.2 * r * (i - 0.5 * (spheres - 1)), 0, 0};
         radius[i] = i % 2 ? r : 0.9 * r;
     }
-    clast_vec3 inertia = {0.4 * mass * r * r, 0.7 * spheres * mass * r * r, 0.7 * spheres * mass * r * r};
-    return clast_shape_add(w, &(clast_shape_def){.name = "clump", .material = material,
-                                                 .spheres = spheres, .centre = centre,
-                                                 .radius = radius, .mass = mass, .inertia = inertia});
+    clast_vec3 inertia = {0.4 * mass * r * r, 0.7 * spheres * mass * r * r,
+                          0.7 * spheres * mass * r * r};
+    return clast_shape_add(w, &(clast_shape_def){.name = "clump",
+                                                 .material = material,
+                                                 .spheres = spheres,
+                                                 .centre = centre,
+                                                 .radius = radius,
+                                                 .mass = mass,
+                                                 .inertia = inertia});
 }
 
 static void add_walls(clast_world *w, int material) {
@@ -51,7 +56,8 @@ static clast_world *new_world_of(const bed_wish *wish) {
     def.law = wish->law, def.motion = wish->motion, def.plane_axis = 1;
     def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
     def.rayleigh_fraction = 1, def.contact_resolution = 20, def.impact_speed = 2.5;
-    def.gravity.z = -30, def.max_overlap = 0.3, def.max_displacement = 0.5, def.global_damping = 0.1;
+    def.gravity.z = -30, def.max_overlap = 0.3, def.max_displacement = 0.5,
+    def.global_damping = 0.1;
     def.domain_min = (clast_vec3){-0.2, -0.1, -0.015}, def.domain_max = (clast_vec3){0.2, 0.1, 1.0};
     def.outside = CLAST_OUTSIDE_REMOVE;
     clast_world *w = clast_world_new(&def);
@@ -70,8 +76,10 @@ clast_world *bed_new(const bed_wish *wish) {
     int bodies = wish->bodies ? wish->bodies : 63, columns = 7;
     for (int i = 0; i < bodies; i++) {
         uint64_t n = (uint64_t)i;
-        clast_vec3 at = {0.0135 * (i % columns - 0.5 * (columns - 1)), 0, 0.0052 + 0.0092 * (i / columns)};
-        clast_quat q = clast_quat_axis_angle((clast_vec3){0, 1, 0}, 0.4 * clast_random(3, 1, n) - 0.2);
+        clast_vec3 at = {0.0135 * (i % columns - 0.5 * (columns - 1)), 0,
+                         0.0052 + 0.0092 * (i / columns)};
+        clast_quat q =
+            clast_quat_axis_angle((clast_vec3){0, 1, 0}, 0.4 * clast_random(3, 1, n) - 0.2);
         clast_vec3 v = {0.3 * clast_random(3, 2, n) - 0.15, 0, -0.1 * clast_random(3, 3, n)};
         clast_body_def b = {shapes[i % 4], at, q, v, {0, 20 * clast_random(3, 4, n) - 10, 0}};
         if (wish->motion == CLAST_MOTION_3D) b.velocity.y = 0.2 * clast_random(3, 5, n) - 0.1;

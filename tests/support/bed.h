@@ -1,5 +1,5 @@
-/* bed.h - a small bed with everything in it, for tests of determinism and threads: clumps of several
- * sizes, friction, a moving wall, a belt, a part that is removed, bodies that leave. */
+/* bed.h - a small bed with everything in it, for tests of determinism and threads: clumps of
+ * several sizes, friction, a moving wall, a belt, a part that is removed, bodies that leave. */
 #ifndef CLAST_TESTS_BED_H
 #define CLAST_TESTS_BED_H
 

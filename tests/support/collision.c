@@ -30,7 +30,8 @@ double contact_time(const collision *given) {
     collision c = with_defaults(given);
     double m = effective_mass(&c), v = c.speed * cos(c.angle);
     if (c.law == CLAST_LAW_LINEAR) return PI * sqrt(m / c.pair.stiffness);
-    double e = 1 / ((1 - POISSON[0] * POISSON[0]) / YOUNG[0] + (1 - POISSON[1] * POISSON[1]) / YOUNG[1]);
+    double e =
+        1 / ((1 - POISSON[0] * POISSON[0]) / YOUNG[0] + (1 - POISSON[1] * POISSON[1]) / YOUNG[1]);
     return 2.9432751 * pow(15 * m / (16 * sqrt(effective_radius(&c)) * e), 0.4) * pow(v, -0.2);
 }
 
@@ -48,7 +49,8 @@ static clast_world *world_of(const collision *c, double dt) {
     assert_int_equal(clast_pair_set(w, m.soft, m.hard, &c->pair), CLAST_OK);
     int a = clast_shape_add_sphere(w, "a", c->radius_a, m.soft);
     int b = clast_shape_add_sphere(w, "b", c->radius_b, m.hard);
-    double vn = c->speed * cos(c->angle), vt = c->speed * sin(c->angle), gap = vn * dt * (1 + c->phase);
+    double vn = c->speed * cos(c->angle), vt = c->speed * sin(c->angle),
+           gap = vn * dt * (1 + c->phase);
     add_body(w, a, vec(0, 0, c->radius_a + gap), vec(vt, 0, -vn), vec(0, c->spin, 0));
     if (c->against_plane) {
         int part = clast_part_add(w, &(clast_part_def){.name = "ground"});
@@ -86,7 +88,8 @@ rebound collide(const collision *given) {
         steps(w, 1);
         clast_contact k;
         size_t touching = clast_world_contacts(w, &k, 1);
-        if (touching) touched = true, r.duration += dt, r.overlap_max = fmax(r.overlap_max, k.overlap);
+        if (touching)
+            touched = true, r.duration += dt, r.overlap_max = fmax(r.overlap_max, k.overlap);
         if (touched && !touching) break;
     }
     r.touched = touched;

@@ -21,7 +21,8 @@ typedef struct collision {
 typedef struct rebound {
     bool touched;
     double restitution;        /* of the normal velocities */
-    double energy_before, energy_after; /* J, in the frame of the centre of mass (plane: of the world) */
+    double energy_before,
+        energy_after;          /* J, in the frame of the centre of mass (plane: of the world) */
     double duration;           /* s, counted in whole steps */
     double overlap_max;        /* m */
     double normal_impulse, tangential_impulse; /* N s, on a */

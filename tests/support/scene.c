@@ -83,14 +83,16 @@ static int add_shape(clast_world *w, const clast_shape_def *d) {
 int add_rod(clast_world *w, int material, double r) {
     clast_vec3 centre[2] = {{-1.02 * r, 0, 0}, {1.02 * r, 0, 0}};
     double radius[2] = {r, r};
-    return add_shape(w, &(clast_shape_def){"rod", material, 2, centre, radius, 0, {0, 0, 0}, 0, NULL});
+    return add_shape(w,
+                     &(clast_shape_def){"rod", material, 2, centre, radius, 0, {0, 0, 0}, 0, NULL});
 }
 
 int add_triangle(clast_world *w, int material, double r) {
     double h = 1.05 * r;
     clast_vec3 centre[3] = {{-h, 0, -h / sqrt(3)}, {h, 0, -h / sqrt(3)}, {0, 0, 2 * h / sqrt(3)}};
     double radius[3] = {r, r, r};
-    return add_shape(w, &(clast_shape_def){"triangle", material, 3, centre, radius, 0, {0, 0, 0}, 0, NULL});
+    return add_shape(
+        w, &(clast_shape_def){"triangle", material, 3, centre, radius, 0, {0, 0, 0}, 0, NULL});
 }
 
 /* Overlapping spheres of different sizes that stand for a solid with three different moments. */
@@ -98,7 +100,8 @@ int add_uneven_rod(clast_world *w, int material, double r) {
     clast_vec3 centre[3] = {{-1.3 * r, 0, 0.1 * r}, {0, 0.2 * r, 0}, {0.9 * r, 0, -0.15 * r}};
     double radius[3] = {0.6 * r, r, 0.8 * r}, m = 1700 * 6.1 * r * r * r;
     clast_vec3 inertia = {0.41 * m * r * r, 0.93 * m * r * r, 1.07 * m * r * r};
-    return add_shape(w, &(clast_shape_def){"uneven", material, 3, centre, radius, m, inertia, 0, NULL});
+    return add_shape(
+        w, &(clast_shape_def){"uneven", material, 3, centre, radius, m, inertia, 0, NULL});
 }
 
 clast_vec3 vec(double x, double y, double z) { return (clast_vec3){x, y, z}; }
