@@ -17,7 +17,7 @@ int main(void) {
                                                   .point = {-0.03 * n[i].x, -0.03 * n[i].y, 0}});
     for (int i = 0; i < 50; i++) {
         clast_vec3 p = {0.011 * (i % 5 - 2), 0.011 * (i / 5 % 5 - 2), 0.03 + 0.011 * (i / 25)};
-        clast_body_add(w, &(clast_body_def){.shape = marble, .position = p, .velocity = {0.1, 0, 0}});
+        clast_body_add(w, &(clast_body_def){marble, p, {1, 0, 0, 0}, {0.1, 0, 0}, {0, 0, 0}});
     }
     if (clast_world_run(w, 0.3) != CLAST_OK) puts(clast_world_error(w));
     clast_energy e = clast_world_energy(w);
