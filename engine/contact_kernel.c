@@ -15,8 +15,7 @@ typedef struct batch_places {
     touch touch[LANES];
 } batch_places;
 
-/* ---- narrow phase
- * ---------------------------------------------------------------------------------- */
+/* ---- narrow phase ---------------------------------------------------------------------------- */
 
 /* gap[k] < 0 where candidate begin + k overlaps (a difference of squares for spheres). */
 static void narrow_spheres(const clast_world *w, size_t begin, int count, double *gap) {
@@ -42,8 +41,7 @@ static void narrow_walls(const clast_world *w, size_t begin, int count, double *
     }
 }
 
-/* ---- filling a batch
- * ---------------------------------------------------------------------------------- */
+/* ---- filling a batch ------------------------------------------------------------------------- */
 
 static vec3 velocity_at(const body_store *b, int32_t slot, vec3 arm) {
     vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
@@ -85,8 +83,7 @@ static void load_contact(const clast_world *w, batch *b, batch_places *places, u
     load_history(b, i, &w->list.candidates.histories[c]);
 }
 
-/* ---- the law over all lanes
- * ------------------------------------------------------------------------------ */
+/* ---- the law over all lanes ------------------------------------------------------------------ */
 
 /* The choice is a constant in every call below, so each loop is compiled for its law. */
 LANE_INLINE void run_law(batch *b, law_choice choice, double dt) {
@@ -112,8 +109,7 @@ static void evaluate_law(batch *b, const clast_world_def *d, double dt) {
     else run_unloading(b, CLAST_LAW_HERTZ_MINDLIN, d, dt);
 }
 
-/* ---- putting the results back
- * ----------------------------------------------------------------------------- */
+/* ---- putting the results back ---------------------------------------------------------------- */
 
 static void tally_overlap(const clast_world *w, contact_tally *tally, const batch *b, int i,
                           uint32_t c) {

@@ -23,8 +23,7 @@ static clast_status trip(clast_world *w, const char *what) {
     return CLAST_ERR_GUARD;
 }
 
-/* ---- overlap
- * -------------------------------------------------------------------------------------- */
+/* ---- overlap --------------------------------------------------------------------------------- */
 
 static double smaller_radius(const clast_world *w, size_t c) {
     const candidate_store *k = &w->list.candidates;
@@ -70,8 +69,7 @@ static clast_status overlap_failure(clast_world *w) {
     return trip(w, what);
 }
 
-/* ---- motion
- * ------------------------------------------------------------------------------------------- */
+/* ---- motion ---------------------------------------------------------------------------------- */
 
 /* Called when the bound of the hot loop is above the limit; looks whether a body really is. */
 static clast_status motion_failure(clast_world *w) {
@@ -94,8 +92,7 @@ static clast_status motion_failure(clast_world *w) {
     return trip(w, what);
 }
 
-/* ---- energy
- * -------------------------------------------------------------------------------------------- */
+/* ---- energy ---------------------------------------------------------------------------------- */
 
 /* The residual against the energy put in; a bed at rest is measured against the weight times a
  * radius. */
@@ -126,8 +123,7 @@ clast_status guards_check(clast_world *w) {
     return w->step % ENERGY_EVERY == 0 ? guards_check_energy(w) : CLAST_OK;
 }
 
-/* ---- outside
- * ------------------------------------------------------------------------------------------- */
+/* ---- outside --------------------------------------------------------------------------------- */
 
 /* Bodies that left the domain end the run or, where the scene says so, leave it. Lowest id first,
  * so that the books do not depend on the order of storage. Histories must have been collected
@@ -150,8 +146,7 @@ clast_status guards_outside(clast_world *w) {
     return CLAST_OK;
 }
 
-/* ---- the start
- * ------------------------------------------------------------------------------------------- */
+/* ---- the start ------------------------------------------------------------------------------- */
 
 static int complain_of_outside(clast_world *w) {
     int faults = 0;

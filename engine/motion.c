@@ -25,8 +25,7 @@ void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque) {
     *torque = t;
 }
 
-/* ---- rotation
- * -------------------------------------------------------------------------------------- */
+/* ---- rotation -------------------------------------------------------------------------------- */
 
 static quat turned(quat q, vec3 axis_angle) {
     double angle = v3_norm(axis_angle), s, c;
@@ -74,8 +73,7 @@ static quat orientation_after(const clast_world *w, const shape *s, quat q, vec3
     return turned_asymmetric(q, momentum, s->inverse_inertia, w->dt);
 }
 
-/* ---- one body
- * ----------------------------------------------------------------------------------------- */
+/* ---- one body -------------------------------------------------------------------------------- */
 
 typedef struct kick {
     vec3 velocity, momentum; /* after */
@@ -159,8 +157,7 @@ static double step2(const clast_world *w, size_t i) {
     return w->dt * w->dt * bound2(v2, s2 * bound * bound);
 }
 
-/* ---- all bodies
- * ---------------------------------------------------------------------------------------- */
+/* ---- all bodies ------------------------------------------------------------------------------ */
 
 static void advance_range(void *context, size_t begin, size_t end, int thread) {
     clast_world *w = context;
@@ -218,8 +215,7 @@ void velocities_start(clast_world *w) {
     }
 }
 
-/* ---- readers
- * -------------------------------------------------------------------------------------------- */
+/* ---- readers --------------------------------------------------------------------------------- */
 
 static void reserve_view(clast_world *w) {
     size_t old = w->view.capacity, now = w->bodies.capacity;

@@ -9,8 +9,7 @@
 
 enum { BLOCK_CANDIDATES = 256 };
 
-/* ---- growing
- * -------------------------------------------------------------------------------------- */
+/* ---- growing --------------------------------------------------------------------------------- */
 
 static pair *pair_push(clast_world *w) {
     pair_list *l = &w->list;
@@ -40,8 +39,7 @@ static void candidate_push(clast_world *w, int32_t a, int32_t b, double radius) 
     c->count++;
 }
 
-/* ---- pairs of bodies
- * ---------------------------------------------------------------------------------- */
+/* ---- pairs of bodies ------------------------------------------------------------------------- */
 
 typedef struct partner {
     uint32_t id;
@@ -134,8 +132,7 @@ static void add_body_pairs(clast_world *w) {
     free(found);
 }
 
-/* ---- pairs of a body and a wall
- * ------------------------------------------------------------------------- */
+/* ---- pairs of a body and a wall -------------------------------------------------------------- */
 
 static void add_wall_pair(clast_world *w, int32_t a, int wall_index) {
     const wall *l = &w->walls[wall_index];
@@ -206,8 +203,7 @@ static void keep_contacts(clast_world *w, bool with_walls) {
     }
 }
 
-/* ---- each body's pairs in the order of its partners' ids
- * --------------------------------------------------- */
+/* ---- each body's pairs in the order of its partners' ids ------------------------------------- */
 
 static uint32_t partner_id(const clast_world *w, const incidence *i) {
     const pair *p = &w->list.pairs[i->pair];
@@ -260,8 +256,7 @@ static void build_incidences(clast_world *w) {
     for (size_t i = 0; i < n; i++) sort_incidences(w, first[i], first[i + 1]);
 }
 
-/* ---- blocks of the contact pass: whole pairs, about 256 candidates, walls apart
- * --------------------------- */
+/* ---- blocks of the contact pass: whole pairs, about 256 candidates, walls apart -------------- */
 
 static void block_begin(clast_world *w, size_t pair_index) {
     pair_list *l = &w->list;
@@ -289,8 +284,7 @@ static void build_blocks(clast_world *w) {
     l->block_count--;
 }
 
-/* ---- the whole
- * -------------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------- */
 
 static void reserve_slots(clast_world *w) {
     sphere_store *s = &w->spheres;

@@ -6,8 +6,7 @@
 
 enum { SPHERES_PER_THREAD = 1000 };
 
-/* ---- preparing
- * ----------------------------------------------------------------------------------------- */
+/* ---- preparing ------------------------------------------------------------------------------- */
 
 static void choose_sizes(clast_world *w) {
     w->smallest_radius = INFINITY;
@@ -125,8 +124,7 @@ clast_status clast_world_prepare(clast_world *w) {
     return CLAST_OK;
 }
 
-/* ---- stepping
- * ------------------------------------------------------------------------------------------- */
+/* ---- stepping -------------------------------------------------------------------------------- */
 
 static void lap(double *since, double *into) {
     double now = world_seconds();

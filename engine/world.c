@@ -103,8 +103,7 @@ void clast_world_free(clast_world *w) {
     free(w);
 }
 
-/* ---- materials
- * -------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------- */
 
 static void grow_coefs(clast_world *w, int old, int now) {
     pair_coef *table = memory_grow(w, NULL, 0, (size_t)now * (size_t)now, sizeof *table);

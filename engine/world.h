@@ -57,8 +57,7 @@ typedef struct sphere_store {
     size_t *first;                       /* first sphere of each body, count of bodies + 1 */
 } sphere_store;
 
-/* ---- what a scene is made of
- * --------------------------------------------------------------------- */
+/* ---- what a scene is made of ----------------------------------------------------------------- */
 
 typedef struct material {
     char *name;
@@ -109,8 +108,7 @@ typedef struct wall {
     int coplanar_count;
 } wall;
 
-/* ---- pairs and contacts
- * ----------------------------------------------------------------------------- */
+/* ---- pairs and contacts ---------------------------------------------------------------------- */
 
 typedef struct pair {
     int32_t a;         /* slot of the body with the lower id */
@@ -176,8 +174,7 @@ typedef struct record_list {
     size_t first_capacity;
 } record_list;
 
-/* ---- the contact kernel
- * ---------------------------------------------------------------------------- */
+/* ---- the contact kernel ---------------------------------------------------------------------- */
 
 /* What one thread finds out during a contact pass. */
 typedef struct contact_tally {
@@ -276,8 +273,7 @@ struct clast_world {
     char error[4096];
 };
 
-/* ---- who does what
- * -------------------------------------------------------------------------------- */
+/* ---- who does what --------------------------------------------------------------------------- */
 
 /* memory.c: growing arrays; all memory of a world is counted. Stops the program when there is none.
  */

@@ -1,8 +1,7 @@
 /* Every definition out of its range is refused with a message that names it. */
 #include "tests/support/scene.h"
 
-/* ---- the world
- * --------------------------------------------------------------------------------------- */
+/* ---- the world ------------------------------------------------------------------------------- */
 
 typedef struct world_fault {
     size_t offset; /* of a double in clast_world_def */
@@ -55,8 +54,7 @@ static void world_definitions(void **state) {
     }
 }
 
-/* ---- what is added
- * ---------------------------------------------------------------------------------------- */
+/* ---- what is added --------------------------------------------------------------------------- */
 
 static clast_world *w;
 static two_materials m;
@@ -207,8 +205,7 @@ static void bodies(void **state) {
     assert_int_equal(add_body(w, ball, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0)), 0);
 }
 
-/* ---- preparing
- * ---------------------------------------------------------------------------------------------- */
+/* ---- preparing ------------------------------------------------------------------------------- */
 
 static void a_world_without_shapes(void **state) {
     (void)state;

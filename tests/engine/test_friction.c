@@ -54,8 +54,7 @@ static void a_sticking_impact_forgets_the_coefficient(void **state) {
     CHECK_BELOW(fabs(a), 0.13 * collide(&c).normal_impulse * 40);
 }
 
-/* ---- an incline
- * ------------------------------------------------------------------------------------ */
+/* ---- an incline ------------------------------------------------------------------------------ */
 
 typedef struct slope {
     clast_world *w;
@@ -126,8 +125,7 @@ static void a_slipping_ball_spins_up(void **state) {
     clast_world_free(s.w);
 }
 
-/* ---- belts and moving plates
- * ------------------------------------------------------------------------- */
+/* ---- belts and moving plates ----------------------------------------------------------------- */
 
 typedef struct carried {
     clast_world *w;

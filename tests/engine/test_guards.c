@@ -95,8 +95,7 @@ static void a_hole_in_the_books_is_noticed(void **state) {
     expect(w, clast_world_run(w, 1), words);
 }
 
-/* ---- report
- * --------------------------------------------------------------------------------------------- */
+/* ---- report ---------------------------------------------------------------------------------- */
 
 static void report_counts_and_goes_on(void **state) {
     (void)state;
@@ -114,8 +113,7 @@ static void report_counts_and_goes_on(void **state) {
     }
 }
 
-/* ---- the start
- * -------------------------------------------------------------------------------------------- */
+/* ---- the start ------------------------------------------------------------------------------- */
 
 static clast_status crowded(clast_world **w, int bodies, double max_overlap) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);

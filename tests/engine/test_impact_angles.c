@@ -54,8 +54,7 @@ static void no_impact_makes_energy(void **state) {
             }
 }
 
-/* ---- the as-printed mode
- * --------------------------------------------------------------------------- */
+/* ---- the as-printed mode --------------------------------------------------------------------- */
 
 static const double G = 9.79, RADIUS = 0.0043;
 

@@ -6,8 +6,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* ---- a smooth problem: a ball between two springs
- * --------------------------------------------------- */
+/* ---- a smooth problem: a ball between two springs -------------------------------------------- */
 
 /* A ball pressed between two planes of the linear law never leaves them: a harmonic oscillator. */
 static double oscillator_error(double steps_per_period) {
@@ -84,8 +83,7 @@ static void global_damping_is_exponential(void **state) {
     CHECK_NEAR(order_of(residual[0], residual[1], 2), 2, 0.05);
 }
 
-/* ---- the free top
- * -------------------------------------------------------------------------------------- */
+/* ---- the free top ---------------------------------------------------------------------------- */
 
 static const clast_vec3 START_SPIN = {3.1, 41, 0.7}; /* near the middle axis: it tumbles */
 
@@ -178,8 +176,7 @@ static void a_free_top_keeps_momentum_and_energy(void **state) {
     CHECK_BELOW(l, 1e-12);
 }
 
-/* ---- in a plane and in space
- * ------------------------------------------------------------------------------ */
+/* ---- in a plane and in space ----------------------------------------------------------------- */
 
 enum { BODIES = 12 };
 

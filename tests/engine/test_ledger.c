@@ -91,8 +91,7 @@ static void friction_is_booked_where_it_is_lost(void **state) {
     clast_world_free(w);
 }
 
-/* ---- a settling bed
- * --------------------------------------------------------------------------------- */
+/* ---- a settling bed -------------------------------------------------------------------------- */
 
 enum { GRAINS = 36 };
 

@@ -70,8 +70,7 @@ static void a_sum_is_right(void **state) {
     CHECK_NEAR(sum_value(&sum), 0, 0);
 }
 
-/* ---- elementary functions
- * --------------------------------------------------------------------------- */
+/* ---- elementary functions -------------------------------------------------------------------- */
 
 static void sincos_agrees_with_libm(void **state) {
     (void)state;
@@ -114,8 +113,7 @@ static void powers_of_two(void **state) {
     assert_true(number_power_of_two_above(1e-200) < 2e-200);
 }
 
-/* ---- random numbers
- * ----------------------------------------------------------------------------------- */
+/* ---- random numbers -------------------------------------------------------------------------- */
 
 /* Known answers of Philox 4x32-10 (Random123, kat_vectors): the first two words of counter and key.
  */
@@ -147,8 +145,7 @@ static void random_numbers_are_uniform(void **state) {
     CHECK_NEAR(product, 0, 3.3 / 12 / sqrt(n));
 }
 
-/* ---- spheres on an ellipse, A00 2.2.2
- * --------------------------------------------------------------------- */
+/* ---- spheres on an ellipse, A00 2.2.2 -------------------------------------------------------- */
 
 /* Appendix E: the button in seven spheres. Lengths in cm as printed there. */
 static void the_button_of_appendix_e(void **state) {

@@ -97,8 +97,7 @@ static void beyond_a_corner_there_is_nothing(void **state) {
     assert_int_equal(n, 0);
 }
 
-/* ---- seams
- * ------------------------------------------------------------------------------------------ */
+/* ---- seams ----------------------------------------------------------------------------------- */
 
 /* Everywhere near a seam, a T, and an overlap, two plates give the force of one. */
 static void coplanar_plates_are_one(void **state) {
@@ -163,8 +162,7 @@ static void a_seam_costs_the_spring_at_most(void **state) {
     CHECK_NEAR(energy[1] / energy[0], 1, 2e-2);
 }
 
-/* ---- what goes away
- * ------------------------------------------------------------------------------------- */
+/* ---- what goes away -------------------------------------------------------------------------- */
 
 static void a_removed_part_lets_go(void **state) {
     (void)state;

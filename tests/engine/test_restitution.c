@@ -9,8 +9,7 @@
 
 static const double ASKED[6] = {0.1, 0.3, 0.55, 0.72, 0.9, 1.0};
 
-/* ---- the solved damping ratio
- * --------------------------------------------------------------------- */
+/* ---- the solved damping ratio ---------------------------------------------------------------- */
 
 /* S12 2.18 with the cut-off 2.23: released where the force vanishes, not where the overlap does. */
 static double linear_closed_form(double z) {
@@ -82,8 +81,7 @@ static void the_damping_ratio_inverts_the_restitution(void **state) {
                 clast_damping_ratio(CLAST_LAW_HERTZ_MINDLIN, 0.72));
 }
 
-/* ---- the running engine
- * ------------------------------------------------------------------------------ */
+/* ---- the running engine ---------------------------------------------------------------------- */
 
 /* Worst error over four places within a step where the contact can begin. */
 static double error_at(collision c, double resolution) {
@@ -136,8 +134,7 @@ static void hertz_rebounds_alike_at_any_speed(void **state) {
     CHECK_NEAR(collide(&c).restitution, fast, 1e-9);
 }
 
-/* ---- duration and largest overlap
- * ----------------------------------------------------------------------- */
+/* ---- duration and largest overlap ------------------------------------------------------------ */
 
 /* S12 2.22 and 2.26, damped linear contact with the cut-off: largest overlap v/w0 exp(-z/w
  * atan(w/z)); the force ends at atan2(2zw, 2z^2-1)/(w w0), and the rest of the overlap, 2z e v/w0,
