@@ -68,7 +68,7 @@ static clast_status check_pairs(clast_world *w) {
 static bool plane_is_principal(const clast_world *w, size_t i) {
     mat3 r = q_matrix(body_orientation(w, i));
     double along = v3_at(r.row[w->def.plane_axis], w->def.plane_axis);
-    return fabs(fabs(along) - 1) < 1e-9;
+    return along > 1 - 1e-9; /* motion_plane.c knows turns about the axis, not bodies upside down */
 }
 
 static clast_status check_plane(clast_world *w) {
