@@ -226,8 +226,54 @@ static void in_a_plane_is_in_space(void **state) {
     clast_world_free(a), clast_world_free(b);
 }
 
+/* (along u, along v, along the axis a) with (u, v, a) right-handed. */
+static clast_vec3 turned_axes(int a, double u, double v, double along) {
+    double c[3];
+    c[(a + 1) % 3] = u, c[(a + 2) % 3] = v, c[a] = along;
+    return vec(c[0], c[1], c[2]);
+}
+
+/* A rod falls on a floor and tumbles: where it ends, in the coordinates of its plane. */
+static clast_vec3 tumbled(int a, clast_motion motion, double *spin) {
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
+    def.gravity = turned_axes(a, 0, -9.81, 0);
+    def.motion = motion, def.plane_axis = a, def.rayleigh_fraction = 0.5;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(0.7, 0.3);
+    two_materials m = add_materials(w, &pair);
+    clast_vec3 one = turned_axes(a, 0.005, 0.001, 0), centre[2] = {one, times(-1, one)};
+    double radius[2] = {0.004, 0.004}, mass = 7e-4, i = 2 * mass * 16e-6;
+    int rod = clast_shape_add(
+        w, &(clast_shape_def){"rod", m.soft, 2, centre, radius, mass, {i, i, i}, 0, NULL});
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "floor"}), m.hard, vec(0, 0, 0),
+              turned_axes(a, 0.1, 1, 0));
+    clast_body_def b = {rod, turned_axes(a, 0, 0.02, 0),
+                        clast_quat_axis_angle(turned_axes(a, 0, 0, 1), 0.6),
+                        turned_axes(a, 0.2, -0.1, 0), turned_axes(a, 0, 0, 12)};
+    assert_true(clast_body_add(w, &b) >= 0);
+    run_to(w, 0.12);
+    body_state s = body_of(w, 0);
+    clast_world_free(w);
+    *spin = dot(s.spin, turned_axes(a, 0, 0, 1));
+    return vec(dot(s.position, turned_axes(a, 1, 0, 0)), dot(s.position, turned_axes(a, 0, 1, 0)),
+               dot(s.position, turned_axes(a, 0, 0, 1)));
+}
+
+static void any_plane_of_motion(void **state) {
+    (void)state;
+    double spin, other;
+    clast_vec3 want = tumbled(1, CLAST_MOTION_3D, &spin);
+    for (int a = 0; a < 3; a++) {
+        clast_vec3 got = tumbled(a, CLAST_MOTION_IN_PLANE, &other);
+        CHECK_NEAR(norm(minus(got, want)), 0, 1e-10);
+        CHECK_NEAR(other, spin, 1e-8 * fabs(spin));
+        assert_true(got.z == 0);
+    }
+}
+
 TEST_MAIN(cmocka_unit_test(leapfrog_is_second_order), cmocka_unit_test(free_fall_is_exact),
           cmocka_unit_test(global_damping_is_exponential),
           cmocka_unit_test(a_free_top_follows_the_reference),
           cmocka_unit_test(a_free_top_keeps_momentum_and_energy),
-          cmocka_unit_test(in_a_plane_is_in_space))
+          cmocka_unit_test(in_a_plane_is_in_space),
+          cmocka_unit_test(any_plane_of_motion))
