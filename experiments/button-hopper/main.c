@@ -15,7 +15,8 @@
 
 static const char USAGE[] =
     "usage: button-hopper validate|figures [--size quick|published|full] [--jobs N]\n"
-    "Repeats A00 section 4.3: 200 buttons, five orifices. Runs are kept below the build folder and not\n"
+    "Repeats A00 section 4.3: 200 buttons, five orifices. Runs are kept below the build folder and "
+    "not\n"
     "repeated. CLAST_SIZE and CLAST_JOBS set the same.\n"
     "example: button-hopper validate --size quick\n";
 
@@ -48,7 +49,8 @@ static void open_study(hopper_study *s, const char *size_name) {
     }
     /* runs are shared between sizes: their names say what they are */
     snprintf(s->root, sizeof s->root, "%s/studies/button-hopper/runs", BUILD_FOLDER);
-    snprintf(s->data, sizeof s->data, "%s/studies/button-hopper/%s/data", BUILD_FOLDER, s->size->name);
+    snprintf(s->data, sizeof s->data, "%s/studies/button-hopper/%s/data", BUILD_FOLDER,
+             s->size->name);
     make_folder(s->root);
     make_folder(s->data);
     s->processes = jobs_processes();
@@ -70,9 +72,12 @@ int main(int argc, char **argv) {
     const char *size = getenv("CLAST_SIZE"), *what = argc > 1 ? argv[1] : "";
     if (!size || !*size) size = "published";
     for (int i = 2; i < argc; i++) {
-        if (!strcmp(argv[i], "--size") && i + 1 < argc) size = argv[++i];
-        else if (!strcmp(argv[i], "--jobs") && i + 1 < argc) setenv("CLAST_JOBS", argv[++i], 1);
-        else what = "";
+        if (!strcmp(argv[i], "--size") && i + 1 < argc)
+            size = argv[++i];
+        else if (!strcmp(argv[i], "--jobs") && i + 1 < argc)
+            setenv("CLAST_JOBS", argv[++i], 1);
+        else
+            what = "";
     }
     bool wants_figures = !strcmp(what, "figures");
     if (!wants_figures && strcmp(what, "validate")) {

@@ -17,7 +17,8 @@ static const double *column(const results *r, const char *name) {
     return c;
 }
 
-/* ---- rates and arches ---------------------------------------------------------------------------------- */
+/* ---- rates and arches
+ * ---------------------------------------------------------------------------------- */
 
 static void measure_rates(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
@@ -43,14 +44,16 @@ static void measure_arches(hopper_run *h, const results *r) {
     arch events[200];
     arches pauses = arch_events(column(r, "time_s"), out, flowing, PAUSE_MIN_S, events, 200);
     for (int i = 0; i < pauses.n && i < 200; i++) {
-        h->arch_count += events[i].length > ARCH_MIN_S - 0.001; /* sampled, at multiples of a step */
+        h->arch_count +=
+            events[i].length > ARCH_MIN_S - 0.001; /* sampled, at multiples of a step */
         if (events[i].length > h->pause.length) h->pause = events[i];
     }
     h->left = (int)column(r, "left_count")[n - 1];
     h->blocked = h->left > BLOCKED_LEFT;
 }
 
-/* ---- densities --------------------------------------------------------------------------------------------- */
+/* ---- densities
+ * --------------------------------------------------------------------------------------------- */
 
 static void measure_densities(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
@@ -75,24 +78,26 @@ static void measure_residual(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
     const double *residual = column(r, "residual_J"), *input = column(r, "input_J");
     h->residual = 0;
-    for (int i = 0; i < n; i++)
-        h->residual = fmax(h->residual, fabs(residual[i]) / input[n - 1]);
+    for (int i = 0; i < n; i++) h->residual = fmax(h->residual, fabs(residual[i]) / input[n - 1]);
 }
 
-/* ---- velocities in the band --------------------------------------------------------------------------------- */
+/* ---- velocities in the band
+ * --------------------------------------------------------------------------------- */
 
 static int place_of(const frame *f, uint32_t id) {
     size_t low = 0, high = f->bodies;
     while (low < high) {
         size_t middle = (low + high) / 2;
-        if (f->id[middle] < id) low = middle + 1;
-        else high = middle;
+        if (f->id[middle] < id)
+            low = middle + 1;
+        else
+            high = middle;
     }
     return low < f->bodies && f->id[low] == id ? (int)low : -1;
 }
 
-/* A00 4.3.1 (iii): buttons whose centre lies in the band in one frame; velocity from where they are in
- * the next frame; x halfway between. */
+/* A00 4.3.1 (iii): buttons whose centre lies in the band in one frame; velocity from where they are
+ * in the next frame; x halfway between. */
 static void sample_band(hopper_run *h, const frame *now, const frame *next) {
     double low = 0.01 * (BAND_HEIGHT_CM - 0.5 * BUTTON_DIAMETER);
     double high = 0.01 * (BAND_HEIGHT_CM + 0.5 * BUTTON_DIAMETER);
@@ -102,11 +107,13 @@ static void sample_band(hopper_run *h, const frame *now, const frame *next) {
         if (z < low || z > high || j < 0) continue;
         double x = 0.5 * (now->position[3 * i] + next->position[3 * j]);
         h->velocity_x[h->velocity_count] = 100 * x;
-        h->velocity[h->velocity_count++] = (next->position[3 * j + 2] - z) / (next->time - now->time);
+        h->velocity[h->velocity_count++] =
+            (next->position[3 * j + 2] - z) / (next->time - now->time);
     }
 }
 
-/* Frames of the video that fall into the steady part; an animated run has more frames than the video. */
+/* Frames of the video that fall into the steady part; an animated run has more frames than the
+ * video. */
 static void measure_velocities(hopper_run *h, results *r) {
     size_t frames = results_frames(r), room = (frames + 1) * 40;
     h->velocity_x = calloc(room, sizeof *h->velocity_x);

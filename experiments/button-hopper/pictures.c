@@ -1,4 +1,5 @@
-/* pictures.c - frames of chosen runs and the animation, by the `clast render` command that users have. */
+/* pictures.c - frames of chosen runs and the animation, by the `clast render` command that users
+ * have. */
 #include <math.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -40,8 +41,8 @@ static int still(const hopper_study *s, const char *folder, double time, const c
     size_t nearest = frame_at(folder, time);
     snprintf(out, sizeof out, "%s/../frames/%s", s->data, name);
     snprintf(frames, sizeof frames, "%zu:%zu", nearest, nearest);
-    int bad = command((const char *const[]){CLAST_COMMAND, "render", folder, "--out", out, "--frames",
-                                            frames, "--colour", colour, NULL});
+    int bad = command((const char *const[]){CLAST_COMMAND, "render", folder, "--out", out,
+                                            "--frames", frames, "--colour", colour, NULL});
     if (bad) return bad;
     snprintf(from, sizeof from, "%s/frame-000000.png", out);
     snprintf(to, sizeof to, "%s.png", out);
@@ -51,7 +52,8 @@ static int still(const hopper_study *s, const char *folder, double time, const c
 static const hopper_run *run_of(const hopper_study *s, int fill, int orifice, int replicate) {
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *r = &s->runs[i];
-        if (r->ran && r->fill == fill && r->orifice == orifice && r->replicate == replicate) return r;
+        if (r->ran && r->fill == fill && r->orifice == orifice && r->replicate == replicate)
+            return r;
     }
     return NULL;
 }
@@ -71,8 +73,8 @@ static int animation(const hopper_study *s, const hopper_run *r) {
     char out[700], movie[720];
     snprintf(out, sizeof out, "%s/../frames/discharge-10cm", s->data);
     snprintf(movie, sizeof movie, "%s/../frames/discharge-10cm.mp4", s->data);
-    return command((const char *const[]){CLAST_COMMAND, "render", r->folder, "--out", out, "--colour",
-                                         "speed", "--animation", movie, NULL});
+    return command((const char *const[]){CLAST_COMMAND, "render", r->folder, "--out", out,
+                                         "--colour", "speed", "--animation", movie, NULL});
 }
 
 int hopper_pictures(const hopper_study *s) {
@@ -83,12 +85,13 @@ int hopper_pictures(const hopper_study *s) {
     for (int fill = 0; fill < FILLS; fill++)
         if (s->size->replicates[fill] > 0)
             bad |= still(s, s->beds[fill == 0 ? 0 : s->size->replicates[0]].folder, 1e9,
-                         fill == FRICTIONLESS ? "bed-frictionless" : "bed-frictional", "initial-height");
+                         fill == FRICTIONLESS ? "bed-frictionless" : "bed-frictional",
+                         "initial-height");
     const hopper_run *wide = run_of(s, FRICTIONLESS, ORIFICES - 1, 0), *arched = longest_pause(s);
     if (wide) bad |= still(s, wide->folder, 0.08, "zones-10cm", "speed-bands");
     if (arched)
-        bad |= still(s, arched->folder, arched->pause.start + 0.5 * arched->pause.length, "arch-5cm",
-                     "speed");
+        bad |= still(s, arched->folder, arched->pause.start + 0.5 * arched->pause.length,
+                     "arch-5cm", "speed");
     if (wide) bad |= animation(s, wide);
     return bad ? 4 : 0;
 }

@@ -1,8 +1,8 @@
 /* sensitivity.c - what each assumption does to the rate and to the bed.
  *
- * At 7.5 cm, the smallest orifice that flowed smoothly in the experiment; and, for what could explain the
- * low rate there, at 5 cm. All variants run at twice the time step of the study (a row of its own shows
- * what that does) and end when the linear part is over. */
+ * At 7.5 cm, the smallest orifice that flowed smoothly in the experiment; and, for what could
+ * explain the low rate there, at 5 cm. All variants run at twice the time step of the study (a row
+ * of its own shows what that does) and end when the linear part is over. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,8 @@ static const struct {
     {MIDDLE, "(baseline)", "step 4.5 us", "", ""},
     {MIDDLE, "friction while flowing", "0.1", "", "friction=0.1,wall_friction=0.1"},
     {MIDDLE, "friction while flowing", "0.4", "", "friction=0.4,wall_friction=0.4"},
-    {MIDDLE, "friction while flowing", "0.61 / 0.67 (static)", "", "friction=0.61,wall_friction=0.67"},
+    {MIDDLE, "friction while flowing", "0.61 / 0.67 (static)", "",
+     "friction=0.61,wall_friction=0.67"},
     {MIDDLE, "wall friction while settling", "0.2", "wall_friction=0.2", ""},
     {MIDDLE, "restitution while settling", "0.27 (Appendix D)", "restitution=0.27", ""},
     {MIDDLE, "grid before settling", "10 columns", "columns=10", ""},
@@ -53,8 +54,10 @@ static void apply(job *j, const char *settings) {
         size_t name = (size_t)(strchr(one, '=') - one) + 1;
         int i = 0;
         while (i < j->set_count && strncmp(j->set[i], one, name)) i++;
-        if (i == j->set_count) job_set(j, "%s", one);
-        else snprintf(j->set[i], JOB_TEXT, "%s", one);
+        if (i == j->set_count)
+            job_set(j, "%s", one);
+        else
+            snprintf(j->set[i], JOB_TEXT, "%s", one);
     }
 }
 

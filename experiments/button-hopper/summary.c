@@ -6,14 +6,30 @@
 
 typedef double pick(const hopper_run *r);
 
-static double pick_q(const hopper_run *r) { return r->rate[0]; }
-static double pick_q_loose(const hopper_run *r) { return r->rate[1]; }
-static double pick_q_strict(const hopper_run *r) { return r->rate[2]; }
-static double pick_rho(const hopper_run *r) { return r->rho_flow; }
-static double pick_phi(const hopper_run *r) { return r->phi_flow; }
-static double pick_c(const hopper_run *r) { return r->c; }
-static double pick_rest(const hopper_run *r) { return r->phi_rest; }
-static double pick_rest_top(const hopper_run *r) { return r->phi_rest_top; }
+static double pick_q(const hopper_run *r) {
+    return r->rate[0];
+}
+static double pick_q_loose(const hopper_run *r) {
+    return r->rate[1];
+}
+static double pick_q_strict(const hopper_run *r) {
+    return r->rate[2];
+}
+static double pick_rho(const hopper_run *r) {
+    return r->rho_flow;
+}
+static double pick_phi(const hopper_run *r) {
+    return r->phi_flow;
+}
+static double pick_c(const hopper_run *r) {
+    return r->c;
+}
+static double pick_rest(const hopper_run *r) {
+    return r->phi_rest;
+}
+static double pick_rest_top(const hopper_run *r) {
+    return r->phi_rest_top;
+}
 
 /* Over the runs of a fill at an orifice (-1: of the first orifice that was run, one per bed). */
 static interval mean_of(const hopper_study *s, int fill, int orifice, pick *value) {
@@ -71,8 +87,8 @@ static interval mean_c(const hopper_summary *m) {
     return mean_interval(c, n);
 }
 
-/* Mean over the orifices of |mean rate - experiment| in percent. Its half width: the intervals of the
- * means carried through, as if independent. */
+/* Mean over the orifices of |mean rate - experiment| in percent. Its half width: the intervals of
+ * the means carried through, as if independent. */
 static interval mean_error(const hopper_summary *m, const hopper_published *p) {
     double sum = 0, variance = 0;
     int n = 0;
@@ -96,7 +112,8 @@ static hopper_profile profile_at(const hopper_study *s, int orifice) {
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *r = &s->runs[i];
         if (!r->ran || r->fill != FRICTIONLESS || r->orifice != orifice) continue;
-        for (int k = 0; k < r->velocity_count; k++) x[n] = r->velocity_x[k], v[n++] = r->velocity[k];
+        for (int k = 0; k < r->velocity_count; k++)
+            x[n] = r->velocity_x[k], v[n++] = r->velocity[k];
         p.replicates += r->velocity_count > 0;
     }
     p.v = mean_interval(v, n);

@@ -13,12 +13,16 @@ static FILE *open_table(const hopper_study *s, const char *name, const char *hea
     char path[700];
     snprintf(path, sizeof path, "%s/%s", s->data, name);
     FILE *f = fopen(path, "w");
-    if (!f) fprintf(stderr, "%s: %s\n", path, strerror(errno));
-    else fprintf(f, "%s\n", header);
+    if (!f)
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    else
+        fprintf(f, "%s\n", header);
     return f;
 }
 
-static int close_table(FILE *f) { return fclose(f) == 0 ? 0 : 4; }
+static int close_table(FILE *f) {
+    return fclose(f) == 0 ? 0 : 4;
+}
 
 static results *open_run(const hopper_run *r) {
     char why[RESULTS_ERROR_MAX];
@@ -27,7 +31,8 @@ static results *open_run(const hopper_run *r) {
     return open;
 }
 
-/* ---- the button ----------------------------------------------------------------------------------------- */
+/* ---- the button
+ * ----------------------------------------------------------------------------------------- */
 
 static int write_profile(const hopper_study *s) {
     FILE *f = open_table(s, "profile.csv", "kind,x_cm,z_cm,r_cm");
@@ -44,10 +49,12 @@ static int write_profile(const hopper_study *s) {
     return close_table(f);
 }
 
-/* ---- one line per sample --------------------------------------------------------------------------------- */
+/* ---- one line per sample
+ * --------------------------------------------------------------------------------- */
 
 static int write_cumulative(const hopper_study *s) {
-    FILE *f = open_table(s, "cumulative.csv", "fill,orifice_cm,replicate,time_s,mass_g,number,"
+    FILE *f = open_table(s, "cumulative.csv",
+                         "fill,orifice_cm,replicate,time_s,mass_g,number,"
                          "solid_fraction,bulk_density_g_cm2");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
@@ -58,33 +65,38 @@ static int write_cumulative(const hopper_study *s) {
                      *n = results_series(r, "out_count"), *phi = results_series(r, "bed_fraction"),
                      *rho = results_series(r, "bed_bulk_kg_per_m2");
         for (size_t k = 0; k < results_rows(r); k += 2)
-            fprintf(f, "%s,%g,%d,%.4f,%.3f,%g,%.5f,%.5f\n", FILL_NAME[h->fill], ORIFICE_CM[h->orifice],
-                    h->replicate + 1, t[k], 1000 * kg[k], n[k], phi[k], 0.1 * rho[k]);
+            fprintf(f, "%s,%g,%d,%.4f,%.3f,%g,%.5f,%.5f\n", FILL_NAME[h->fill],
+                    ORIFICE_CM[h->orifice], h->replicate + 1, t[k], 1000 * kg[k], n[k], phi[k],
+                    0.1 * rho[k]);
         results_free(r);
     }
     return close_table(f);
 }
 
 static int write_rates(const hopper_study *s) {
-    FILE *f = open_table(s, "rates.csv", "fill,orifice_cm,replicate,q_g_s,from_s,to_s,blocked,left,"
+    FILE *f = open_table(s, "rates.csv",
+                         "fill,orifice_cm,replicate,q_g_s,from_s,to_s,blocked,left,"
                          "solid_fraction_rest,solid_fraction_flow,bulk_density_flow_g_cm2,c_per_cm,"
                          "arches,longest_arch_s");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *h = &s->runs[i];
         if (!h->ran) continue;
-        fprintf(f, "%s,%g,%d,%.3f,%.4f,%.4f,%d,%d,%.5f,%.5f,%.5f,%.4f,%d,%.4f\n", FILL_NAME[h->fill],
-                ORIFICE_CM[h->orifice], h->replicate + 1, h->rate[0], h->steady.from, h->steady.to,
-                h->blocked, h->left, h->phi_rest, h->phi_flow, h->rho_flow, h->c, h->arch_count,
-                h->pause.length);
+        fprintf(f, "%s,%g,%d,%.3f,%.4f,%.4f,%d,%d,%.5f,%.5f,%.5f,%.4f,%d,%.4f\n",
+                FILL_NAME[h->fill], ORIFICE_CM[h->orifice], h->replicate + 1, h->rate[0],
+                h->steady.from, h->steady.to, h->blocked, h->left, h->phi_rest, h->phi_flow,
+                h->rho_flow, h->c, h->arch_count, h->pause.length);
     }
     return close_table(f);
 }
 
-/* ---- one line per orifice ----------------------------------------------------------------------------------- */
+/* ---- one line per orifice
+ * ----------------------------------------------------------------------------------- */
 
-static int write_summary(const hopper_study *s, const hopper_summary *m, const hopper_published *p) {
-    FILE *f = open_table(s, "summary.csv", "fill,orifice_cm,n,blocked,q_mean,q_half,q_experiment,"
+static int write_summary(const hopper_study *s, const hopper_summary *m,
+                         const hopper_published *p) {
+    FILE *f = open_table(s, "summary.csv",
+                         "fill,orifice_cm,n,blocked,q_mean,q_half,q_experiment,"
                          "q_thesis,rho_mean,rho_half,rho_experiment,rho_thesis,phi_mean,phi_half,"
                          "c_mean,c_half,c_experiment,c_thesis");
     if (!f) return 4;
@@ -106,7 +118,8 @@ static void write_fit(FILE *f, const char *set, const beverloo *b) {
             b->kd_half);
 }
 
-static int write_beverloo(const hopper_study *s, const hopper_summary *m, const hopper_published *p) {
+static int write_beverloo(const hopper_study *s, const hopper_summary *m,
+                          const hopper_published *p) {
     FILE *f = open_table(s, "beverloo.csv", "set,slope,intercept,kd_cm,k,kd_half");
     if (!f) return 4;
     beverloo experiment = beverloo_fit(ORIFICE_CM, p->q_experiment, ORIFICES, BUTTON_DIAMETER);
@@ -117,7 +130,9 @@ static int write_beverloo(const hopper_study *s, const hopper_summary *m, const 
     return close_table(f);
 }
 
-/* ---- velocities ------------------------------------------------------------------------------------------------ */
+/* ---- velocities
+ * ------------------------------------------------------------------------------------------------
+ */
 
 static int write_velocity_samples(const hopper_study *s) {
     FILE *f = open_table(s, "velocity_samples.csv", "orifice_cm,replicate,x_cm,v_m_s");
@@ -147,7 +162,8 @@ static int write_velocity_fits(const hopper_study *s, const hopper_summary *m) {
     return close_table(f);
 }
 
-/* ---- the free surface -------------------------------------------------------------------------------------------- */
+/* ---- the free surface
+ * -------------------------------------------------------------------------------------------- */
 
 static void write_surface_of(FILE *f, const hopper_run *h, const results *r) {
     const double *t = results_series(r, "time_s");
@@ -177,20 +193,23 @@ static int write_surface(const hopper_study *s) {
     return close_table(f);
 }
 
-/* ---- sensitivity and what it was made with ------------------------------------------------------------------------ */
+/* ---- sensitivity and what it was made with
+ * ------------------------------------------------------------------------ */
 
 static int write_sensitivity(const hopper_study *s, const hopper_sensitivity *v) {
     if (v->count == 0) return 0;
-    FILE *f = open_table(s, "sensitivity.csv", "assumption,variant,baseline,orifice_cm,n,q_mean,q_half,"
+    FILE *f = open_table(s, "sensitivity.csv",
+                         "assumption,variant,baseline,orifice_cm,n,q_mean,q_half,"
                          "q_baseline,change_percent,blocked,rest_mean,rest_half");
     if (!f) return 4;
     double base = NAN;
     for (int i = 0; i < v->count; i++) {
         const hopper_variant *h = &v->variants[i];
         if (i == 0 || h->orifice != v->variants[i - 1].orifice) base = h->q.mean;
-        fprintf(f, "%s,\"%s\",%s,%g,%d,%.3f,%.3f,%.3f,%.2f,%d,%.4f,%.4f\n", h->assumption, h->variant,
-                v->variants[0].variant, ORIFICE_CM[h->orifice], h->q.n, h->q.mean, h->q.half, base,
-                100 * (h->q.mean / base - 1), h->blocked, h->rest.mean, h->rest.half);
+        fprintf(f, "%s,\"%s\",%s,%g,%d,%.3f,%.3f,%.3f,%.2f,%d,%.4f,%.4f\n", h->assumption,
+                h->variant, v->variants[0].variant, ORIFICE_CM[h->orifice], h->q.n, h->q.mean,
+                h->q.half, base, 100 * (h->q.mean / base - 1), h->blocked, h->rest.mean,
+                h->rest.half);
     }
     return close_table(f);
 }
@@ -205,9 +224,11 @@ static int write_about(const hopper_study *s, const hopper_summary *m) {
             CLAST_VERSION);
     fprintf(f, "step=%s\nparticles=%d\nspheres_per_particle=7\nworst_residual=%.2e\nwall_s=%.0f\n",
             s->size->step, BUTTONS, m->worst_residual, s->seconds);
-    fprintf(f, "mean_error_percent=%.2f\nmean_error_half=%.2f\nkd_cm=%.3f\nrest_frictionless=%.4f\n"
-            "rest_frictional=%.4f\n", m->error_percent.mean, m->error_percent.half, m->fit.kd,
-            m->rest[FRICTIONLESS].mean, m->rest[FRICTIONAL].mean);
+    fprintf(f,
+            "mean_error_percent=%.2f\nmean_error_half=%.2f\nkd_cm=%.3f\nrest_frictionless=%.4f\n"
+            "rest_frictional=%.4f\n",
+            m->error_percent.mean, m->error_percent.half, m->fit.kd, m->rest[FRICTIONLESS].mean,
+            m->rest[FRICTIONAL].mean);
     return close_table(f);
 }
 

@@ -47,12 +47,15 @@ hopper_published hopper_read_published(void) {
     return p;
 }
 
-static interval nothing(void) { return mean_interval(NULL, 0); }
+static interval nothing(void) {
+    return mean_interval(NULL, 0);
+}
 
 static void add_orifices(verdict_table *v, const published_table *t, const hopper_summary *m,
                          const hopper_study *s) {
     for (int d = 0; d < ORIFICES; d++)
-        verdict_published(v, need_at(t, "rate", d), m->mean[FRICTIONLESS][d].q, s->size->orifice[d]);
+        verdict_published(v, need_at(t, "rate", d), m->mean[FRICTIONLESS][d].q,
+                          s->size->orifice[d]);
     for (int d = 0; d < ORIFICES; d++)
         verdict_published(v, need_at(t, "bulk density in flow", d), m->mean[FRICTIONLESS][d].rho,
                           s->size->orifice[d]);
@@ -79,11 +82,11 @@ static void print_blocked(const hopper_summary *m) {
         for (int d = 0; d < ORIFICES; d++) {
             const hopper_mean *h = &m->mean[fill][d];
             if (h->runs == 0) continue;
-            printf("%s, %g cm: %d runs, %d blocked, %d without a rate, %d with an arch, longest pause"
-                   " %.0f ms; rate at R2 0.98 / 0.99 / 0.995: %.1f / %.1f / %.1f g/s\n", FILL_NAME[fill],
-                   ORIFICE_CM[d], h->runs, h->blocked, h->runs - h->q.n, h->with_arch,
-                   1000 * h->longest_pause,
-                   h->q_r2[1].mean, h->q_r2[0].mean, h->q_r2[2].mean);
+            printf(
+                "%s, %g cm: %d runs, %d blocked, %d without a rate, %d with an arch, longest pause"
+                " %.0f ms; rate at R2 0.98 / 0.99 / 0.995: %.1f / %.1f / %.1f g/s\n",
+                FILL_NAME[fill], ORIFICE_CM[d], h->runs, h->blocked, h->runs - h->q.n, h->with_arch,
+                1000 * h->longest_pause, h->q_r2[1].mean, h->q_r2[0].mean, h->q_r2[2].mean);
         }
 }
 
@@ -93,7 +96,8 @@ static void print_c_test(const hopper_summary *m, const hopper_published *p) {
     static const char *const NAME[] = {"experiment", "thesis"};
     for (int i = 0; i < 2; i++) {
         t_test t = t_test_pooled(m->c_all, mean_interval(against[i], ORIFICES));
-        printf("C over the orifices, t-test against the %s: t = %.2f, P = %.2f\n", NAME[i], t.t, t.p);
+        printf("C over the orifices, t-test against the %s: t = %.2f, P = %.2f\n", NAME[i], t.t,
+               t.p);
     }
 }
 
@@ -103,21 +107,28 @@ int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const hopper
     verdict_table *v = verdict_new("button-hopper");
     bool frictional = s->size->replicates[FRICTIONAL] > 0;
     verdict_published(v, need(t, "mean |error| of the rates"), m->error_percent, true);
-    verdict_published(v, need(t, "solid fraction at rest frictionless fill"), m->rest[FRICTIONLESS], true);
-    verdict_published(v, need(t, "solid fraction at rest frictional fill"), m->rest[FRICTIONAL], frictional);
+    verdict_published(v, need(t, "solid fraction at rest frictionless fill"), m->rest[FRICTIONLESS],
+                      true);
+    verdict_published(v, need(t, "solid fraction at rest frictional fill"), m->rest[FRICTIONAL],
+                      frictional);
     verdict_published(v, need(t, "solid fraction at rest placed one by one"), nothing(), false);
     verdict_published(v, need(t, "C mean of the orifices"), m->c_all, true);
     verdict_published(v, need(t, "C equal to the experiment"), m->c_all, m->c_all.n > 1);
-    verdict_published(v, need(t, "kd"), (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n}, true);
-    verdict_published(v, need(t, "k"), (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n}, true);
+    verdict_published(v, need(t, "kd"), (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n},
+                      true);
+    verdict_published(v, need(t, "k"), (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n},
+                      true);
     verdict_published(v, need(t, "k from D >= 7.5 cm"), interval_exact(m->fit_wide.k), true);
     add_orifices(v, t, m, s);
     add_profiles(v, t, m);
     print_blocked(m);
     print_c_test(m, p);
-    printf("solid fraction at rest with the top of each section as its height: %.3f frictionless, %.3f"
-           " frictional\n", m->rest_top[FRICTIONLESS].mean, m->rest_top[FRICTIONAL].mean);
-    printf("largest energy residual of a discharge: %.2g of the energy put in\n", m->worst_residual);
+    printf(
+        "solid fraction at rest with the top of each section as its height: %.3f frictionless, %.3f"
+        " frictional\n",
+        m->rest_top[FRICTIONLESS].mean, m->rest_top[FRICTIONAL].mean);
+    printf("largest energy residual of a discharge: %.2g of the energy put in\n",
+           m->worst_residual);
     int code = verdict_finish(v, csv, stdout);
     verdict_free(v);
     published_free(t);

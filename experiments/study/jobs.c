@@ -21,7 +21,8 @@ void job_set(job *j, const char *format, ...) {
     va_end(arguments);
 }
 
-/* ---- names --------------------------------------------------------------------------------------- */
+/* ---- names
+ * --------------------------------------------------------------------------------------- */
 
 static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count) {
     const unsigned char *b = bytes;
@@ -53,7 +54,8 @@ void jobs_name(job *j, const char *root) {
     snprintf(j->folder, JOB_FOLDER, "%s/%s-%016" PRIx64, root, j->label, hash);
 }
 
-/* ---- one job, in a process of its own ---------------------------------------------------------------- */
+/* ---- one job, in a process of its own
+ * ---------------------------------------------------------------- */
 
 static void complain(const job *j, const char *message) {
     char path[JOB_FOLDER + 8];
@@ -67,14 +69,14 @@ static int run_one(const job *j) {
     const char *set[JOB_SETTINGS];
     for (int i = 0; i < j->set_count; i++) set[i] = j->set[i];
     char *faults = NULL;
-    scene *s = scene_load(j->scene, &(scene_options){.set = set, .set_count = j->set_count,
-                                                     .threads = 1}, &faults);
+    scene *s = scene_load(
+        j->scene, &(scene_options){.set = set, .set_count = j->set_count, .threads = 1}, &faults);
     if (!s) {
         complain(j, faults ? faults : "the scene cannot be read");
         return 3;
     }
-    run_report r = run_scene(s, &(run_options){.out = j->folder, .resume = true,
-                                               .talk = RUN_SILENT});
+    run_report r =
+        run_scene(s, &(run_options){.out = j->folder, .resume = true, .talk = RUN_SILENT});
     if (r.end != RUN_DONE) complain(j, r.message);
     scene_free(s);
     free(faults);
@@ -92,7 +94,8 @@ static pid_t start(const job *j) {
     return child;
 }
 
-/* ---- all of them ----------------------------------------------------------------------------------------- */
+/* ---- all of them
+ * ----------------------------------------------------------------------------------------- */
 
 int jobs_processes(void) {
     const char *wish = getenv("CLAST_JOBS");
@@ -117,8 +120,8 @@ static void progress(const char *what, int done, int count, int fresh, double si
     double left = fresh > 0 ? (seconds() - since) / fresh * (count - done) : 0;
     bool terminal = isatty(1);
     if (!terminal && done != count && done % 5 != 0) return;
-    printf("%s%s: %d of %d runs, %.0f s left%s", terminal ? "\r\033[K" : "", what, done, count, left,
-           terminal && done != count ? "" : "\n");
+    printf("%s%s: %d of %d runs, %.0f s left%s", terminal ? "\r\033[K" : "", what, done, count,
+           left, terminal && done != count ? "" : "\n");
     fflush(stdout);
 }
 
@@ -141,7 +144,8 @@ static int reap(pool *p, bool *well) {
             int which = p->job[i];
             p->running--;
             p->child[i] = p->child[p->running], p->job[i] = p->job[p->running];
-            if (WIFSIGNALED(status)) fprintf(stderr, "a run was killed by signal %d\n", WTERMSIG(status));
+            if (WIFSIGNALED(status))
+                fprintf(stderr, "a run was killed by signal %d\n", WTERMSIG(status));
             return which;
         }
     abort();

@@ -1,9 +1,9 @@
-/* jobs.h - many runs of scenes side by side, each in a process of its own, kept from one start of the
- * program to the next.
+/* jobs.h - many runs of scenes side by side, each in a process of its own, kept from one start of
+ * the program to the next.
  *
- * A run's folder is named by the hash of its scene file, its parameters and the engine (digest.h): what
- * has been run is not run again, and any change of any of the three makes a new folder. A run that was
- * cut off goes on from its last checkpoint. Folders are never committed.
+ * A run's folder is named by the hash of its scene file, its parameters and the engine (digest.h):
+ * what has been run is not run again, and any change of any of the three makes a new folder. A run
+ * that was cut off goes on from its last checkpoint. Folders are never committed.
  */
 #ifndef CLAST_STUDY_JOBS_H
 #define CLAST_STUDY_JOBS_H
@@ -14,13 +14,13 @@
 enum { JOB_SETTINGS = 12, JOB_TEXT = 400, JOB_FOLDER = 700 };
 
 typedef struct job {
-    const char *scene;                    /* path of the YAML file */
-    char label[80];                       /* for people: begins the folder's name */
-    char set[JOB_SETTINGS][JOB_TEXT];     /* "name=value" */
+    const char *scene;                /* path of the YAML file */
+    char label[80];                   /* for people: begins the folder's name */
+    char set[JOB_SETTINGS][JOB_TEXT]; /* "name=value" */
     int set_count;
-    char folder[JOB_FOLDER];              /* filled by jobs_name() */
-    bool done;                            /* filled by jobs_run() */
-    uint64_t hash;                        /* of the last state, when done */
+    char folder[JOB_FOLDER]; /* filled by jobs_name() */
+    bool done;               /* filled by jobs_run() */
+    uint64_t hash;           /* of the last state, when done */
 } job;
 
 /* Adds a parameter; printf style. */
@@ -29,8 +29,8 @@ void job_set(job *j, const char *format, ...) __attribute__((format(printf, 2, 3
 /* Names the folder of a job below `root`. Call when all parameters are set. */
 void jobs_name(job *j, const char *root);
 
-/* Runs what is not finished yet, at most `processes` at a time, with a line of progress. Returns the
- * number of jobs that failed; their messages go to stderr and stay in <folder>.log. */
+/* Runs what is not finished yet, at most `processes` at a time, with a line of progress. Returns
+ * the number of jobs that failed; their messages go to stderr and stay in <folder>.log. */
 int jobs_run(job *jobs, int count, int processes, const char *what);
 
 /* Number of processors to use: CLAST_JOBS, else all of this machine. */
