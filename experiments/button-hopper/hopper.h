@@ -9,8 +9,7 @@
 #include "experiments/study/jobs.h"
 #include "experiments/study/statistics.h"
 
-/* ---- constants of the source (A00 section 4.3.1, Table 4.3)
- * ------------------------------------------ */
+/* ---- constants of the source (A00 section 4.3.1, Table 4.3) ---------------------------------- */
 
 #define BUTTON_A_CM                                                                                \
     0.69 /* half axes: Table 4.3 calls them diameters, eq. 4.6 uses them as halves */
@@ -28,8 +27,7 @@ enum { FRICTIONLESS, FRICTIONAL };
 extern const double ORIFICE_CM[ORIFICES];
 extern const char *const FILL_NAME[FILLS];
 
-/* ---- what we chose (README.md, "Assumptions")
- * ---------------------------------------------------------- */
+/* ---- what we chose (README.md, "Assumptions") ------------------------------------------------ */
 
 #define LINEAR_R2   0.99          /* the linear part of a cumulative curve */
 #define ARCH_MIN_S  VIDEO_FRAME_S /* a pause that leaves a video frame without a discharge */
@@ -38,8 +36,7 @@ extern const char *const FILL_NAME[FILLS];
     0.8 /* of what flows out in all: behind it the last buttons trickle from the heap */
 #define BLOCKED_LEFT 50 /* more left than this, and nothing moves: the orifice is blocked */
 
-/* ---- sizes
- * ---------------------------------------------------------------------------------------------- */
+/* ---- sizes ----------------------------------------------------------------------------------- */
 
 typedef struct hopper_size {
     const char *name;
@@ -53,8 +50,7 @@ typedef struct hopper_size {
 /* NULL when there is no such size. */
 const hopper_size *hopper_size_named(const char *name);
 
-/* ---- one run
- * --------------------------------------------------------------------------------------------- */
+/* ---- one run --------------------------------------------------------------------------------- */
 
 typedef struct hopper_run {
     int fill, orifice, replicate;
@@ -97,8 +93,7 @@ int hopper_run_all(hopper_study *s); /* number of failed runs */
 /* measure.c */
 void hopper_measure(hopper_run *r);
 
-/* ---- summaries
- * --------------------------------------------------------------------------------------------- */
+/* ---- summaries ------------------------------------------------------------------------------- */
 
 /* Over the replicates of one fill and orifice that have a rate. */
 typedef struct hopper_mean {
@@ -134,8 +129,7 @@ typedef struct hopper_published {
 
 hopper_summary hopper_summarise(const hopper_study *s, const hopper_published *p);
 
-/* ---- sensitivity
- * --------------------------------------------------------------------------------------------- */
+/* ---- sensitivity ----------------------------------------------------------------------------- */
 
 typedef struct hopper_variant {
     int orifice;
@@ -152,10 +146,7 @@ typedef struct hopper_sensitivity {
 /* Runs and measures all variants; count = 0 when the size has none. */
 int hopper_sensitivity_run(const hopper_study *s, hopper_sensitivity *out);
 
-/* ---- writing
-/* tables.c: all of data/ (figures/README.md lists the columns). 0, or 4 when a file cannot be
- * written. */
- */
+/* ---- writing --------------------------------------------------------------------------------- */
 
 /* tables.c: all of data/ (figures/README.md lists the columns). Returns 0, or 4 when a file cannot
  * be written. */

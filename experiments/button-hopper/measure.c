@@ -17,8 +17,7 @@ static const double *column(const results *r, const char *name) {
     return c;
 }
 
-/* ---- rates and arches
- * ---------------------------------------------------------------------------------- */
+/* ---- rates and arches ------------------------------------------------------------------------ */
 
 static void measure_rates(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
@@ -52,8 +51,7 @@ static void measure_arches(hopper_run *h, const results *r) {
     h->blocked = h->left > BLOCKED_LEFT;
 }
 
-/* ---- densities
- * --------------------------------------------------------------------------------------------- */
+/* ---- densities ------------------------------------------------------------------------------- */
 
 static void measure_densities(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
@@ -81,8 +79,7 @@ static void measure_residual(hopper_run *h, const results *r) {
     for (int i = 0; i < n; i++) h->residual = fmax(h->residual, fabs(residual[i]) / input[n - 1]);
 }
 
-/* ---- velocities in the band
- * --------------------------------------------------------------------------------- */
+/* ---- velocities in the band ------------------------------------------------------------------ */
 
 static int place_of(const frame *f, uint32_t id) {
     size_t low = 0, high = f->bodies;

@@ -31,8 +31,7 @@ static results *open_run(const hopper_run *r) {
     return open;
 }
 
-/* ---- the button
- * ----------------------------------------------------------------------------------------- */
+/* ---- the button ------------------------------------------------------------------------------ */
 
 static int write_profile(const hopper_study *s) {
     FILE *f = open_table(s, "profile.csv", "kind,x_cm,z_cm,r_cm");
@@ -49,8 +48,7 @@ static int write_profile(const hopper_study *s) {
     return close_table(f);
 }
 
-/* ---- one line per sample
- * --------------------------------------------------------------------------------- */
+/* ---- one line per sample --------------------------------------------------------------------- */
 
 static int write_cumulative(const hopper_study *s) {
     FILE *f = open_table(s, "cumulative.csv",
@@ -90,8 +88,7 @@ static int write_rates(const hopper_study *s) {
     return close_table(f);
 }
 
-/* ---- one line per orifice
- * ----------------------------------------------------------------------------------- */
+/* ---- one line per orifice -------------------------------------------------------------------- */
 
 static int write_summary(const hopper_study *s, const hopper_summary *m,
                          const hopper_published *p) {
@@ -130,9 +127,7 @@ static int write_beverloo(const hopper_study *s, const hopper_summary *m,
     return close_table(f);
 }
 
-/* ---- velocities
- * ------------------------------------------------------------------------------------------------
- */
+/* ---- velocities ------------------------------------------------------------------------------ */
 
 static int write_velocity_samples(const hopper_study *s) {
     FILE *f = open_table(s, "velocity_samples.csv", "orifice_cm,replicate,x_cm,v_m_s");
@@ -162,8 +157,7 @@ static int write_velocity_fits(const hopper_study *s, const hopper_summary *m) {
     return close_table(f);
 }
 
-/* ---- the free surface
- * -------------------------------------------------------------------------------------------- */
+/* ---- the free surface ------------------------------------------------------------------------ */
 
 static void write_surface_of(FILE *f, const hopper_run *h, const results *r) {
     const double *t = results_series(r, "time_s");
@@ -193,8 +187,7 @@ static int write_surface(const hopper_study *s) {
     return close_table(f);
 }
 
-/* ---- sensitivity and what it was made with
- * ------------------------------------------------------------------------ */
+/* ---- sensitivity and what it was made with --------------------------------------------------- */
 
 static int write_sensitivity(const hopper_study *s, const hopper_sensitivity *v) {
     if (v->count == 0) return 0;

@@ -21,8 +21,7 @@ void job_set(job *j, const char *format, ...) {
     va_end(arguments);
 }
 
-/* ---- names
- * --------------------------------------------------------------------------------------- */
+/* ---- names ----------------------------------------------------------------------------------- */
 
 static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count) {
     const unsigned char *b = bytes;
@@ -54,8 +53,7 @@ void jobs_name(job *j, const char *root) {
     snprintf(j->folder, JOB_FOLDER, "%s/%s-%016" PRIx64, root, j->label, hash);
 }
 
-/* ---- one job, in a process of its own
- * ---------------------------------------------------------------- */
+/* ---- one job, in a process of its own -------------------------------------------------------- */
 
 static void complain(const job *j, const char *message) {
     char path[JOB_FOLDER + 8];
@@ -94,8 +92,7 @@ static pid_t start(const job *j) {
     return child;
 }
 
-/* ---- all of them
- * ----------------------------------------------------------------------------------------- */
+/* ---- all of them ----------------------------------------------------------------------------- */
 
 int jobs_processes(void) {
     const char *wish = getenv("CLAST_JOBS");
