@@ -77,7 +77,7 @@ function fill(s,    word, what, value, inside) {
         inside = substr(s, RSTART + 1, RLENGTH - 2)
         word = inside; sub(/ .*/, "", word)
         what = inside; sub(/^[^ ]* ?/, "", what); gsub(/&gt;/, ">", what)
-        if (word == "about") value = dash(about[what])
+        if (word == "about") { value = dash(about[what]); sub(/ us$/, " µs", value) }
         else if (word == "met") value = met + 0
         else if (word == "counted") value = counted + 0
         else if (word == "ours") value = ours(what, 1) unit_of(what)

@@ -1,7 +1,7 @@
 # title: Temporary arches
 # counterpart: A00 section 4.3.2.4 (in words)
 # needs: rates.csv
-# caption: Every run of the frictionless fill: number of pauses that ended by themselves (top), and the longest of them (bottom); the line joins the means. Crosses: runs that ended blocked. The source saw temporary arches up to about six particle diameters, and smooth flow above ten.
+# caption: Every run of the frictionless fill: number of temporary arches (top) and the longest pause that ended by itself, arch or not (bottom); the line joins the means. Crosses: runs that ended blocked. The source saw temporary arches up to about six particle diameters, and smooth flow above ten.
 width = 12; height = 10
 load style
 mean(column) = sprintf("< awk -F, 'NR > 1 && $1 == \"frictionless\" { n[$2]++; s[$2] += $%d } END { for (d in n) print d \",\" s[d] / n[d] }' '%s/rates.csv' | sort -n", column, data)
@@ -20,7 +20,7 @@ plot rows('rates', '$1 == "frictionless" && $7 == 0') using (spot($2, $3)):13 wi
 unset label 999; unset key; unset label 1
 set tmargin at screen 0.56; set bmargin at screen up(1.75)
 set xtics ('5' 5, '6.5' 6.5, '7.5' 7.5, '8.5' 8.5, '10' 10)
-set xlabel 'orifice width D (cm)'; set ylabel 'longest arch (s)'; set ytics auto
+set xlabel 'orifice width D (cm)'; set ylabel 'longest pause (s)'; set ytics auto
 set yrange [0:*]; set format y '%g'; set xzeroaxis lt 1 lw 0.5 lc rgb hair
 plot rows('rates', '$1 == "frictionless" && $7 == 0') using (spot($2, $3)):14 with points pt 7 ps 0.45 lc rgb ours_light, \
      rows('rates', '$1 == "frictionless" && $7 == 1') using (spot($2, $3)):14 with points pt 2 ps 0.7 lw 1.2 lc rgb thesis, \

@@ -10,7 +10,7 @@ slope(d) = number(system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g { 
 begin(d) = number(system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g && $5 != \"nan\" { s += $5; n++ } END { print n ? s / n : 0 }' '%s/rates.csv'", d, data)))
 runs(d) = system(sprintf("awk -F, '$1 == \"frictionless\" && $2 == %g { n++; b += $7 } END { if (!n) printf \"not run at this size\"; else printf \"%%d run%%s%%s\", n, n == 1 ? \"\" : \"s\", b ? \", \" b \" blocked\" : \"\" }' '%s/rates.csv'", d, data))
 stats data.'/cumulative.csv' using 4 nooutput
-end = STATS_max > 2 ? 2 : STATS_max
+end = STATS_max > 1.6 ? 1.6 : STATS_max
 
 set multiplot layout 2,3 margins screen across(1.45),1 - across(0.3),up(1.75),1 - up(0.35) spacing screen across(1.0),up(1.35)
 set xrange [0:end]; set yrange [0:70]
