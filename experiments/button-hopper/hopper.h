@@ -58,14 +58,16 @@ typedef struct hopper_run {
     const char *folder; /* of the discharge */
     bool ran;           /* false: the run itself failed */
     /* as measured */
-    linear_window steady; /* g/s */
+    linear_window steady;          /* g/s */
+    int middle_first, middle_last; /* samples of the middle half of it, by mass */
+    double middle_from, middle_to; /* s */
     double rate[3]; /* g/s at LINEAR_R2, and at a looser and a stricter one; NAN without a linear
                        part */
     bool blocked;
     int left; /* buttons above the orifice at the end */
     double phi_rest,
         phi_rest_top; /* solid fraction before the flow: mean outline, and top of each section */
-    double phi_flow, rho_flow; /* mean over the steady part; rho in g/cm2 */
+    double phi_flow, rho_flow; /* mean over the middle half; rho in g/cm2 */
     double c;                  /* A00 4.5 with kd = 0.89 cm, per cm */
     int arch_count;            /* pauses of ARCH_MIN_S and more while the bed flows */
     arch pause;                /* the longest pause then; length 0 without one */

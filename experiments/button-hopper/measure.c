@@ -19,6 +19,20 @@ static const double *column(const results *r, const char *name) {
 
 /* ---- rates and arches ------------------------------------------------------------------------ */
 
+/* The linear part begins with the start-up and ends with a broken surface; what is called steady
+ * here is the middle half of it, by mass. */
+static void find_middle(hopper_run *h, const double *t, const double *grams,
+                        const linear_window *w) {
+    h->steady = *w;
+    int last = w->first + w->count - 1, i = w->first;
+    double low = grams[w->first], part = grams[last] - low;
+    while (i < last && grams[i] < low + 0.25 * part) i++;
+    h->middle_first = i;
+    while (i < last && grams[i] < low + 0.75 * part) i++;
+    h->middle_last = i;
+    h->middle_from = t[h->middle_first], h->middle_to = t[h->middle_last];
+}
+
 static void measure_rates(hopper_run *h, const results *r) {
     int n = (int)results_rows(r);
     const double *t = column(r, "time_s"), *kg = column(r, "out_kg");
@@ -31,7 +45,7 @@ static void measure_rates(hopper_run *h, const results *r) {
         /* an arch that holds from the start leaves no linear part worth the name */
         bool found = part >= 0.2 * BUTTONS * BUTTON_MASS_G;
         h->rate[k] = found ? w.slope : NAN;
-        if (k == 0) h->steady = found ? w : (linear_window){0};
+        if (k == 0 && found) find_middle(h, t, grams, &w);
     }
     free(grams);
 }
@@ -60,7 +74,8 @@ static void measure_densities(hopper_run *h, const results *r) {
     h->phi_rest_top = column(r, "bed_fraction_top")[0];
     h->phi_flow = h->rho_flow = 0;
     int count = 0;
-    for (int i = h->steady.first; i < h->steady.first + h->steady.count && i < n; i++) {
+    bool flows = h->steady.count > 0;
+    for (int i = h->middle_first; flows && i <= h->middle_last && i < n; i++) {
         if (!isfinite(phi[i])) continue;
         h->phi_flow += phi[i];
         h->rho_flow += 0.1 * rho[i]; /* kg/m2 to g/cm2 */
@@ -117,9 +132,10 @@ static void measure_velocities(hopper_run *h, results *r) {
     h->velocity = calloc(room, sizeof *h->velocity);
     if (!h->velocity_x || !h->velocity) abort();
     if (h->steady.count == 0) return;
-    for (double t = 0; t + VIDEO_FRAME_S <= h->steady.to; t += VIDEO_FRAME_S) {
+    for (double t = 0; t + VIDEO_FRAME_S <= h->middle_to + 0.5 * VIDEO_FRAME_S;
+         t += VIDEO_FRAME_S) {
         size_t a = results_frame_at(r, t), b = results_frame_at(r, t + VIDEO_FRAME_S);
-        if (t < h->steady.from || a == b || b >= frames) continue;
+        if (t < h->middle_from - 0.5 * VIDEO_FRAME_S || a == b || b >= frames) continue;
         frame *now = results_frame(r, a), *next = results_frame(r, b);
         if (!now || !next) {
             fprintf(stderr, "%s: %s\n", h->folder, results_error(r));
