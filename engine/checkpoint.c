@@ -3,8 +3,9 @@
  * At a step boundary a world is: positions at n, velocities at n - 1/2, contact histories with the
  * forces at n, ledger, clock. Everything else (pair list, cells, skin, positions of walls) is
  * derived or unobservable. The file also holds the scene as plain lines, so that a checkpoint of
- * another scene is refused with the first line that differs, and the hash of the state, so that a
- * damaged file is refused too. */
+ * another scene is refused with the first line that differs, and the hash of the state, so that
+ * going on from a damaged file is refused too. (Inheriting bodies into another scene checks the
+ * form of the file alone: the hash belongs to the scene that was saved.) */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +31,7 @@ typedef struct saved {
     contact_record *records;
     size_t record_count;
     ledger ledger;
-    double *part_work; /* coarse, fine, total of each part */
+    double *part_work; /* J, of each part */
     size_t part_count;
     char *scene, *wall_names;
 } saved;
@@ -197,14 +198,10 @@ static void save_contacts(h5_file *f, clast_world *w) {
 }
 
 static void save_parts(h5_file *f, const clast_world *w) {
-    double *work = malloc(((size_t)w->part_count * 3 + 1) * sizeof *work);
+    double *work = malloc(((size_t)w->part_count + 1) * sizeof *work);
     CLAST_ASSERT(work);
-    for (int i = 0; i < w->part_count; i++) {
-        const part *p = &w->parts[i];
-        work[3 * i] = p->work.coarse, work[3 * i + 1] = p->work.fine,
-                 work[3 * i + 2] = p->work_total;
-    }
-    h5_write(f, "/parts/work", H5_F64, 2, (size_t[]){(size_t)w->part_count, 3}, work);
+    for (int i = 0; i < w->part_count; i++) work[i] = w->parts[i].work_total;
+    h5_write_column(f, "/parts/work", H5_F64, (size_t)w->part_count, work);
     free(work);
 }
 
@@ -315,7 +312,7 @@ static void read_saved(h5_file *f, const char *path, saved *s) {
     read_contacts(f, s);
     size_t numbers;
     s->part_work = h5_read_all(f, "/parts/work", H5_F64, &numbers);
-    s->part_count = numbers / 3;
+    s->part_count = numbers;
     double values[LEDGER_NUMBERS];
     h5_read(f, "/ledger", H5_F64, LEDGER_NUMBERS, values);
     memcpy(&s->ledger, values, sizeof values);
@@ -369,9 +366,19 @@ static ptrdiff_t place_of_id(const saved *s, uint32_t id) {
     return from < s->bodies.count && s->bodies.id[from] == id ? (ptrdiff_t)from : -1;
 }
 
+/* shape_of: from a shape of the file to one of the world, -1 for none; NULL when they are the
+ * same. */
+static bool is_sphere_of(const clast_world *w, const saved *s, const int *shape_of, uint32_t id,
+                         int32_t sphere) {
+    int of_file = s->bodies.shape[place_of_id(s, id)];
+    int of_world = shape_of ? shape_of[of_file] : of_file;
+    return of_world < 0 || (sphere >= 0 && sphere < w->shapes[of_world].spheres);
+}
+
 /* Numbers that are used as indices must be in range before anything is touched; the values
  * themselves are proved by the hash. */
-static const char *fault_of_indices(const saved *s, int shape_count, uint32_t wall_count) {
+static const char *fault_of_indices(const clast_world *w, const saved *s, const int *shape_of,
+                                    int shape_count, uint32_t wall_count) {
     for (size_t i = 0; i < s->bodies.count; i++) {
         if (s->bodies.id[i] >= s->next_id) return "a body's id is out of range";
         if (i > 0 && s->bodies.id[i] <= s->bodies.id[i - 1]) return "ids are not in order";
@@ -384,6 +391,10 @@ static const char *fault_of_indices(const saved *s, int shape_count, uint32_t wa
         bool with_wall = r->b >= CLAST_WALL_ID;
         if (with_wall ? r->b - CLAST_WALL_ID >= wall_count : place_of_id(s, r->b) < 0)
             return "a contact names a partner that is not there";
+        if (!is_sphere_of(w, s, shape_of, r->a, r->sphere_a))
+            return "a contact names a sphere that is not there";
+        if (with_wall ? r->sphere_b != 0 : !is_sphere_of(w, s, shape_of, r->b, r->sphere_b))
+            return "a contact names a sphere that is not there";
     }
     return NULL;
 }
@@ -419,11 +430,7 @@ static void install(clast_world *w, const saved *s) {
     w->counters.overlap_max = s->overlap_max;
     w->counters.contacts = s->record_count;
     w->overlap_now = s->overlap_now;
-    for (int i = 0; i < w->part_count; i++) {
-        const double *work = &s->part_work[3 * i];
-        w->parts[i].work = (exact_sum){work[0], work[1]};
-        w->parts[i].work_total = work[2];
-    }
+    for (int i = 0; i < w->part_count; i++) w->parts[i].work_total = s->part_work[i];
     install_bodies(w, s);
     install_records(w, s);
     walls_move(w);
@@ -435,7 +442,7 @@ static void install(clast_world *w, const saved *s) {
 static clast_status check_and_install(clast_world *w, const char *path, const saved *s) {
     clast_status status = compare_scenes(w, path, s->scene);
     if (status != CLAST_OK) return status;
-    const char *fault = fault_of_indices(s, w->shape_count, (uint32_t)w->wall_count);
+    const char *fault = fault_of_indices(w, s, NULL, w->shape_count, (uint32_t)w->wall_count);
     if (!fault && s->part_count != (size_t)w->part_count) fault = "parts are missing";
     if (fault) return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
     install(w, s);
@@ -577,7 +584,7 @@ clast_status clast_checkpoint_inherit(clast_world *w, const char *path) {
     if (status == CLAST_OK) {
         int shapes;
         int *shape_of = match_shapes(w, &s, &shapes);
-        const char *fault = fault_of_indices(&s, shapes, count_lines(s.wall_names));
+        const char *fault = fault_of_indices(w, &s, shape_of, shapes, count_lines(s.wall_names));
         if (fault)
             status = world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
         else

@@ -284,8 +284,10 @@ typedef struct clast_energy {
     double global;               /* J, dissipated so far by global damping */
     double wall_work;            /* J, done so far by moving walls on the bodies */
     double removed;              /* J, carried off by bodies that left */
-    double input; /* J, energy put in: start above the lowest state reached, and work */
-    double residual;             /* J, what the sum misses; an error of integration */
+    double input;                /* J, put in: motion and elastic energy at the start, height lost
+                                    since, and all that walls did, back and forth */
+    double residual;             /* J, what the sum misses: error of integrating normal contacts.
+                                    Energy made elsewhere shows as friction or damping below zero */
 } clast_energy;
 
 clast_energy clast_world_energy(clast_world *w);

@@ -48,12 +48,15 @@ static void add_tallies(clast_world *w) {
     }
     w->ledger.elastic += sum_value(&elastic);
     w->ledger.dashpot += sum_value(&dashpot);
+    double all_parts = 0;
     for (int p = 0; p < w->part_count; p++) {
         exact_sum work = {0, 0};
         for (int t = 0; t < w->threads; t++) sum_merge(&work, &w->tallies[t].part_work[p]);
         w->parts[p].work_total += sum_value(&work);
-        w->ledger.wall_work += sum_value(&work);
+        all_parts += sum_value(&work);
     }
+    w->ledger.wall_work += all_parts;
+    w->ledger.wall_input += fabs(all_parts);
     w->counters.contacts = contacts;
     w->overlap_now = overlap;
     if (overlap > w->counters.overlap_max) w->counters.overlap_max = overlap;

@@ -47,20 +47,19 @@ static size_t worst_contact(const clast_world *w, size_t *worst_pair) {
     return worst;
 }
 
-static void describe_contact(const clast_world *w, size_t p, size_t c, char *text, size_t room) {
+static void describe_pair(const clast_world *w, size_t p, char *text, size_t room) {
     const pair *q = &w->list.pairs[p];
     char a[200], b[200];
     describe_body(w, (size_t)q->a, a, sizeof a);
     if (q->b >= 0) describe_body(w, (size_t)q->b, b, sizeof b);
     else snprintf(b, sizeof b, "wall %s", w->walls[-1 - q->b].name);
     snprintf(text, room, "%s against %s", a, b);
-    (void)c;
 }
 
 static clast_status overlap_failure(clast_world *w) {
     char who[512], what[1024];
     size_t p = 0, c = worst_contact(w, &p);
-    describe_contact(w, p, c, who, sizeof who);
+    describe_pair(w, p, who, sizeof who);
     const history *h = &w->list.candidates.histories[c];
     snprintf(what, sizeof what,
              "overlap %.3g mm, %.3g of the smaller radius (limit %.3g), force %.3g N: %s",
@@ -103,8 +102,16 @@ clast_status guards_check_energy(clast_world *w) {
         floor_energy = fmax(floor_energy, w->shapes[s].mass);
     floor_energy *= (double)w->bodies.count * v3_norm(w->def.gravity) * w->smallest_radius;
     double input = fmax(e.input, floor_energy);
-    if (fabs(e.residual) <= w->def.max_residual * input) return CLAST_OK;
     char what[256];
+    double made = fmin(e.damping, e.friction);
+    if (made < -w->def.max_residual * input) {
+        snprintf(what, sizeof what,
+                 "contacts have made energy: %.4g J by %s, %.3g of the %.4g J put in (limit %.3g)",
+                 -made, e.damping < e.friction ? "dashpots" : "tangential springs", -made / input,
+                 input, w->def.max_residual);
+        return trip(w, what);
+    }
+    if (fabs(e.residual) <= w->def.max_residual * input) return CLAST_OK;
     snprintf(what, sizeof what, "energy residual %.4g J is %.3g of the %.4g J put in (limit %.3g)",
              e.residual, e.residual / input, input, w->def.max_residual);
     return trip(w, what);
@@ -168,7 +175,7 @@ static int complain_of_overlaps(clast_world *w) {
             double overlap = touch_of(w, &l->pairs[p], c).overlap, small = smaller_radius(w, c);
             if (!(overlap > w->def.max_overlap * small)) continue;
             char who[512];
-            describe_contact(w, p, c, who, sizeof who);
+            describe_pair(w, p, who, sizeof who);
             if (faults++ < NAMED)
                 world_complain(w, "starts with an overlap of %.3g mm, %.3g of the smaller radius "
                                "(limit %.3g): %s", 1e3 * overlap, overlap / small,

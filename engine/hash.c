@@ -1,5 +1,5 @@
-/* hash.c - one number for the whole state: bodies by id, contacts by name, clock. FNV-1a over
- * 64-bit words with an extra mixing step (any bit of the state reaches all bits of the hash). */
+/* hash.c - one number for the whole state: bodies by id, contacts by name, clock, books. FNV-1a
+ * over 64-bit words with an extra mixing step: any bit of the state reaches all bits of it. */
 #include <string.h>
 
 #include "engine/world.h"
@@ -42,6 +42,9 @@ uint64_t clast_world_hash(const clast_world *world) {
         h = mix_vec(mix_vec(mix_double(h, r->history.overlap), r->history.spring),
                     r->history.force);
     }
-    h = mix_double(mix_double(mix_double(h, w->ledger.work), w->ledger.elastic), w->ledger.dashpot);
-    return mix_double(mix_double(h, w->ledger.global), w->ledger.wall_work);
+    for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);
+    double books[sizeof(ledger) / sizeof(double)];
+    memcpy(books, &w->ledger, sizeof books);
+    for (size_t i = 0; i < sizeof books / sizeof *books; i++) h = mix_double(h, books[i]);
+    return h;
 }

@@ -75,7 +75,7 @@ clast_energy clast_world_energy(clast_world *w) {
                    e.global + e.removed - e.wall_work;
     double fallen = l->start_gravity - (e.gravity + l->removed_gravity);
     double begun = l->start_total - l->start_gravity;
-    e.input = begun + (fallen > 0 ? fallen : 0) + fabs(e.wall_work);
+    e.input = begun + (fallen > 0 ? fallen : 0) + l->wall_input;
     e.residual = total - l->start_total;
     return e;
 }

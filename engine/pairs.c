@@ -41,11 +41,6 @@ static void candidate_push(clast_world *w, int32_t a, int32_t b, double radius) 
 
 /* ---- pairs of bodies ------------------------------------------------------------------------- */
 
-typedef struct partner {
-    uint32_t id;
-    int32_t slot;
-} partner;
-
 static int by_id(const void *a, const void *b) {
     uint32_t x = ((const partner *)a)->id, y = ((const partner *)b)->id;
     return (x > y) - (x < y);
@@ -114,22 +109,24 @@ static void add_body_pair(clast_world *w, int32_t a, int32_t b) {
     if (w->list.candidates.count > first) push_body_pair(w, a, b, first);
 }
 
+static void grow_partners(clast_world *w, size_t room) {
+    pair_list *l = &w->list;
+    l->partners = memory_grow(w, l->partners, l->partner_room, room, sizeof *l->partners);
+    l->partner_room = room;
+}
+
 static void add_body_pairs(clast_world *w) {
-    size_t room = 64;
-    partner *found = malloc(room * sizeof *found);
-    CLAST_ASSERT(found);
+    if (w->list.partner_room == 0) grow_partners(w, 64);
     for (size_t a = 0; a < w->bodies.count; a++) {
-        size_t count = find_partners(w, (int32_t)a, found, room);
-        if (count > room) {
-            room = 2 * count;
-            found = realloc(found, room * sizeof *found);
-            CLAST_ASSERT(found);
-            count = find_partners(w, (int32_t)a, found, room);
+        size_t count = find_partners(w, (int32_t)a, w->list.partners, w->list.partner_room);
+        if (count > w->list.partner_room) {
+            grow_partners(w, 2 * count);
+            find_partners(w, (int32_t)a, w->list.partners, w->list.partner_room);
         }
-        qsort(found, count, sizeof *found, by_id);
+        const partner *found = w->list.partners;
+        qsort(w->list.partners, count, sizeof *found, by_id);
         for (size_t i = 0; i < count; i++) add_body_pair(w, (int32_t)a, found[i].slot);
     }
-    free(found);
 }
 
 /* ---- pairs of a body and a wall -------------------------------------------------------------- */
@@ -224,12 +221,7 @@ static void sort_incidences(clast_world *w, size_t from, size_t to) {
 
 static void reserve_incidences(clast_world *w) {
     pair_list *l = &w->list;
-    size_t slots = w->bodies.count + 2, need = 2 * l->pair_count;
-    if (slots > l->slot_capacity) {
-        l->incidence_first = memory_grow(w, l->incidence_first, l->slot_capacity, slots,
-                                         sizeof *l->incidence_first);
-        l->slot_capacity = slots;
-    }
+    size_t need = 2 * l->pair_count;
     if (need > l->incidence_capacity) {
         size_t capacity = need + need / 2;
         l->incidences = memory_grow(w, l->incidences, l->incidence_capacity, capacity,

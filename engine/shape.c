@@ -81,7 +81,10 @@ static const char *fault_of(const clast_world *w, const clast_shape_def *d) {
     bool given = m.x != 0 || m.y != 0 || m.z != 0;
     if (given && !(m.x > 0 && m.y > 0 && m.z > 0))
         return "has a moment of inertia that is not above zero";
-    if (given && (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y))
+    double slack = 1e-9 * (m.x + m.y + m.z); /* a flat disc is the limit, to rounding */
+    double largest = fmax(m.x, fmax(m.y, m.z));
+    bool possible = 2 * largest <= m.x + m.y + m.z + slack;
+    if (given && !possible)
         return "has moments of inertia that no body can have (triangle inequality)";
     if ((!given || d->mass == 0) && spheres_overlap(d))
         return "has overlapping spheres: give its mass and inertia";

@@ -111,6 +111,7 @@ clast_status clast_world_prepare(clast_world *w) {
     if (s) return s;
     walls_link(w);
     walls_move(w);
+    records_sort(w); /* bodies may have been added after inherited ones */
     pairs_rebuild(w);
     s = guards_check_start(w);
     if (s) return s;

@@ -82,7 +82,7 @@ static void free_list(pair_list *l) {
     candidate_store *c = &l->candidates;
     free(c->a), free(c->b), free(c->radius), free(c->histories), free(c->touching);
     free(l->pairs), free(l->forces), free(l->incidences), free(l->incidence_first);
-    free(l->block_first);
+    free(l->block_first), free(l->partners);
 }
 
 void clast_world_free(clast_world *w) {

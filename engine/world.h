@@ -93,8 +93,7 @@ typedef struct part {
     bool present;
     vec3 offset, velocity; /* now */
     vec3 built_offset;     /* when the pair list was built */
-    exact_sum work;
-    double work_total;     /* J */
+    double work_total;     /* J, done on the bodies so far */
 } part;
 
 typedef struct wall {
@@ -146,6 +145,11 @@ typedef struct incidence {
     int32_t side; /* +1: the body is a, -1: it is b */
 } incidence;
 
+typedef struct partner {
+    uint32_t id;
+    int32_t slot;
+} partner;
+
 typedef struct pair_list {
     size_t pair_count, pair_capacity;
     pair *pairs;             /* body pairs in slot order of a, then walls; one more as a stop */
@@ -157,6 +161,8 @@ typedef struct pair_list {
     size_t incidence_capacity, slot_capacity;
     size_t *block_first;     /* pair index where each block of the contact pass begins */
     size_t block_count, block_capacity;
+    partner *partners;       /* scratch of the search, one body's at a time */
+    size_t partner_room;
     bool stale;
 } pair_list;
 
@@ -210,6 +216,7 @@ typedef struct ledger {
     double work;                                 /* J, of the contact forces on all bodies so far */
     double elastic, dashpot;                     /* J, of that by normal springs and dashpots */
     double global, wall_work;                    /* J, so far */
+    double wall_input;                           /* J, of the wall work without sign, per step */
     double start_tangential; /* J in tangential springs at step 0, less what has left */
     double removed, removed_gravity;             /* J carried off: in all, and by height alone */
     double start_total, start_gravity;           /* J at step 0 */

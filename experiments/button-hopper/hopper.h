@@ -106,10 +106,9 @@ typedef struct hopper_mean {
 } hopper_mean;
 
 typedef struct hopper_profile {
-    interval v;      /* of all samples, m/s */
-    double v0, b_cm; /* kinematic fit as A00 did it */
-    kinematic free;  /* with v0 free */
-    int replicates;
+    interval mean, sd, b_cm; /* m/s, m/s, cm: over the replicates */
+    double v0, pooled_b_cm;  /* kinematic fit of all samples as A00 did it */
+    kinematic free;          /* the same with v0 free */
 } hopper_profile;
 
 typedef struct hopper_summary {

@@ -127,7 +127,7 @@ static void sample_band(hopper_run *h, const frame *now, const frame *next) {
 /* Frames of the video that fall into the steady part; an animated run has more frames than the
  * video. */
 static void measure_velocities(hopper_run *h, results *r) {
-    size_t frames = results_frames(r), room = (frames + 1) * 40;
+    size_t frames = results_frames(r), room = (frames + 1) * BUTTONS;
     h->velocity_x = calloc(room, sizeof *h->velocity_x);
     h->velocity = calloc(room, sizeof *h->velocity);
     if (!h->velocity_x || !h->velocity) abort();

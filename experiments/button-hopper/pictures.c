@@ -72,12 +72,26 @@ static const hopper_run *longest_pause(const hopper_study *s) {
     return best;
 }
 
+/* ffmpeg is optional: without it there are frames and no film. */
+static bool has_ffmpeg(void) {
+    const char *path = getenv("PATH");
+    char copy[4096], file[4200], *rest = NULL;
+    snprintf(copy, sizeof copy, "%s", path ? path : "");
+    for (char *folder = strtok_r(copy, ":", &rest); folder; folder = strtok_r(NULL, ":", &rest)) {
+        snprintf(file, sizeof file, "%s/ffmpeg", folder);
+        if (access(file, X_OK) == 0) return true;
+    }
+    fputs("no ffmpeg: no animation\n", stderr);
+    return false;
+}
+
 static int animation(const hopper_study *s, const hopper_run *r) {
     char out[700], movie[720];
     snprintf(out, sizeof out, "%s/../frames/discharge-10cm", s->data);
     snprintf(movie, sizeof movie, "%s/../frames/discharge-10cm.mp4", s->data);
     return command((const char *const[]){CLAST_COMMAND, "render", r->folder, "--out", out,
-                                         "--colour", "speed", "--animation", movie, NULL});
+                                         "--colour", "speed", "--speed-max", FASTEST,
+                                         has_ffmpeg() ? "--animation" : NULL, movie, NULL});
 }
 
 int hopper_pictures(const hopper_study *s) {

@@ -1,5 +1,5 @@
-/* plan.c - which runs each size is made of. Beds are shared by all orifices of a replicate, as the
- * experimenter's replicates are not, and as the issue of comparing orifices asks for. */
+/* plan.c - which runs each size is made of. The orifices of a replicate start from the same bed, so
+ * that what differs between them is the orifice. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

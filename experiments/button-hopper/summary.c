@@ -2,12 +2,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "engine/clast.h"
 #include "experiments/button-hopper/hopper.h"
 
 typedef double pick(const hopper_run *r);
 
+/* A run that never had a linear part has delivered nothing: it counts as 0, it is not dropped. */
 static double pick_q(const hopper_run *r) {
-    return r->rate[0];
+    return isfinite(r->rate[0]) ? r->rate[0] : 0;
 }
 static double pick_q_loose(const hopper_run *r) {
     return r->rate[1];
@@ -87,38 +89,87 @@ static interval mean_c(const hopper_summary *m) {
     return mean_interval(c, n);
 }
 
-/* Mean over the orifices of |mean rate - experiment| in percent. Its half width: the intervals of
- * the means carried through, as if independent. */
-static interval mean_error(const hopper_summary *m, const hopper_published *p) {
-    double sum = 0, variance = 0;
-    int n = 0;
-    for (int d = 0; d < ORIFICES; d++) {
-        interval q = m->mean[FRICTIONLESS][d].q;
-        if (q.n == 0) continue;
-        sum += 100 * fabs(q.mean / p->q_experiment[d] - 1);
-        double half = 100 * q.half / p->q_experiment[d];
-        variance += half * half;
-        n++;
-    }
-    return (interval){n ? sum / n : NAN, NAN, n ? sqrt(variance) / n : NAN, n};
-}
+/* Rates of one replicate after another, orifice by orifice; those of a replicate share its bed. */
+typedef struct rate_table {
+    double q[REPLICATES_MAX][ORIFICES];
+    bool orifice[ORIFICES];
+    int replicates;
+} rate_table;
 
-static hopper_profile profile_at(const hopper_study *s, int orifice) {
-    int room = 0, n = 0;
-    for (int i = 0; i < s->flow_count; i++) room += s->runs[i].velocity_count;
-    double *x = calloc((size_t)room + 1, sizeof *x), *v = calloc((size_t)room + 1, sizeof *v);
-    if (!x || !v) abort();
-    hopper_profile p = {.replicates = 0};
+static rate_table rates_of(const hopper_study *s) {
+    rate_table t = {.replicates = 0};
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *r = &s->runs[i];
-        if (!r->ran || r->fill != FRICTIONLESS || r->orifice != orifice) continue;
+        if (!r->ran || r->fill != FRICTIONLESS) continue;
+        t.q[r->replicate][r->orifice] = pick_q(r);
+        t.orifice[r->orifice] = true;
+        if (r->replicate >= t.replicates) t.replicates = r->replicate + 1;
+    }
+    return t;
+}
+
+/* Mean over the orifices of |mean rate of these replicates - experiment|, in percent. */
+static double error_of(const rate_table *t, const int *which, const hopper_published *p) {
+    double sum = 0;
+    int n = 0;
+    for (int d = 0; d < ORIFICES; d++) {
+        if (!t->orifice[d]) continue;
+        double q = 0;
+        for (int k = 0; k < t->replicates; k++) q += t->q[which[k]][d] / t->replicates;
+        sum += 100 * fabs(q / p->q_experiment[d] - 1);
+        n++;
+    }
+    return n ? sum / n : NAN;
+}
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The interval is a bootstrap over whole replicates, because their orifices share a bed. */
+static interval mean_error(const hopper_study *s, const hopper_published *p) {
+    enum { DRAWS = 4000 };
+    static double draws[DRAWS];
+    rate_table t = rates_of(s);
+    int which[REPLICATES_MAX];
+    for (int k = 0; k < t.replicates; k++) which[k] = k;
+    interval e = {error_of(&t, which, p), NAN, NAN, t.replicates};
+    if (t.replicates < 2) return e;
+    for (int i = 0; i < DRAWS; i++) {
+        for (int k = 0; k < t.replicates; k++)
+            which[k] = (int)(t.replicates * clast_random(1, 1, (uint64_t)(i * REPLICATES_MAX + k)));
+        draws[i] = error_of(&t, which, p);
+    }
+    qsort(draws, DRAWS, sizeof *draws, ascending);
+    e.half = 0.5 * (draws[(int)(0.975 * DRAWS)] - draws[(int)(0.025 * DRAWS)]);
+    return e;
+}
+
+/* The profile of all samples, for the fit that is drawn; means, deviations and B per replicate, for
+ * their intervals: buttons of one run are no replicates. */
+static hopper_profile profile_at(const hopper_study *s, int orifice) {
+    int room = 0, n = 0, runs = 0;
+    for (int i = 0; i < s->flow_count; i++) room += s->runs[i].velocity_count;
+    double *x = calloc((size_t)room + 1, sizeof *x), *v = calloc((size_t)room + 1, sizeof *v);
+    double mean[REPLICATES_MAX], sd[REPLICATES_MAX], b[REPLICATES_MAX];
+    if (!x || !v) abort();
+    for (int i = 0; i < s->flow_count; i++) {
+        const hopper_run *r = &s->runs[i];
+        bool ours = r->ran && r->fill == FRICTIONLESS && r->orifice == orifice;
+        if (!ours || r->velocity_count < 5) continue;
+        interval one = mean_interval(r->velocity, r->velocity_count);
+        double v0 = centre_velocity(r->velocity_x, r->velocity, r->velocity_count, BUTTON_DIAMETER);
+        mean[runs] = one.mean, sd[runs] = one.sd;
+        b[runs++] =
+            kinematic_fit(r->velocity_x, r->velocity, r->velocity_count, BAND_HEIGHT_CM, v0).b;
         for (int k = 0; k < r->velocity_count; k++)
             x[n] = r->velocity_x[k], v[n++] = r->velocity[k];
-        p.replicates += r->velocity_count > 0;
     }
-    p.v = mean_interval(v, n);
+    hopper_profile p = {.mean = mean_interval(mean, runs), .sd = mean_interval(sd, runs),
+                        .b_cm = mean_interval(b, runs)};
     p.v0 = centre_velocity(x, v, n, BUTTON_DIAMETER);
-    p.b_cm = kinematic_fit(x, v, n, BAND_HEIGHT_CM, p.v0).b;
+    p.pooled_b_cm = kinematic_fit(x, v, n, BAND_HEIGHT_CM, p.v0).b;
     p.free = kinematic_fit_free(x, v, n, BAND_HEIGHT_CM, p.v0);
     free(x);
     free(v);
@@ -135,7 +186,7 @@ hopper_summary hopper_summarise(const hopper_study *s, const hopper_published *p
     m.fit = fit_from(s, 0);
     m.fit_wide = fit_from(s, 2);
     m.c_all = mean_c(&m);
-    m.error_percent = mean_error(&m, p);
+    m.error_percent = mean_error(s, p);
     for (int d = 0; d < ORIFICES; d++) m.profile[d] = profile_at(s, d);
     for (int i = 0; i < s->flow_count; i++)
         if (s->runs[i].ran) m.worst_residual = fmax(m.worst_residual, s->runs[i].residual);

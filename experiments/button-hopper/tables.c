@@ -21,7 +21,10 @@ static FILE *open_table(const hopper_study *s, const char *name, const char *hea
 }
 
 static int close_table(FILE *f) {
-    return fclose(f) == 0 ? 0 : 4;
+    bool bad = ferror(f) != 0; /* an earlier flush may have failed; the last need not */
+    bad |= fclose(f) != 0;
+    if (bad) fprintf(stderr, "a table cannot be written: %s\n", strerror(errno));
+    return bad ? 4 : 0;
 }
 
 static results *open_run(const hopper_run *r) {
@@ -148,11 +151,11 @@ static int write_velocity_fits(const hopper_study *s, const hopper_summary *m) {
     if (!f) return 4;
     for (int d = 0; d < ORIFICES; d++) {
         const hopper_profile *p = &m->profile[d];
-        if (p->v.n == 0) continue;
-        fprintf(f, "%g,centre,%.4f,%.4f,%.4f,,%.4f,%.4f\n", ORIFICE_CM[d], p->v0, p->b_cm,
-                p->b_cm / BUTTON_DIAMETER, p->v.mean, p->v.sd);
+        if (p->mean.n == 0) continue;
+        fprintf(f, "%g,centre,%.4f,%.4f,%.4f,,%.4f,%.4f\n", ORIFICE_CM[d], p->v0, p->pooled_b_cm,
+                p->pooled_b_cm / BUTTON_DIAMETER, p->mean.mean, p->sd.mean);
         fprintf(f, "%g,free,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", ORIFICE_CM[d], p->free.v0, p->free.b,
-                p->free.b / BUTTON_DIAMETER, p->free.b_half, p->v.mean, p->v.sd);
+                p->free.b / BUTTON_DIAMETER, p->free.b_half, p->mean.mean, p->sd.mean);
     }
     return close_table(f);
 }

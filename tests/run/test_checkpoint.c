@@ -175,6 +175,27 @@ static void another_scene_inherits(void **state) {
     clast_world_free(b);
 }
 
+/* More bodies may follow inherited ones, and may touch each other. */
+static void bodies_follow_inherited_ones(void **state) {
+    (void)state;
+    clast_world *a = bed_world(&(bed_options){0});
+    assert_int_equal(clast_world_prepare(a), CLAST_OK);
+    step_to(a, 100);
+    assert_int_equal(clast_checkpoint_save(a, in_folder("c.h5"), NULL), CLAST_OK);
+    clast_world *b = bed_world(&(bed_options){.empty = true});
+    assert_int_equal(clast_checkpoint_inherit(b, in_folder("c.h5")), CLAST_OK);
+    int before = (int)clast_world_bodies(b).count;
+    for (int i = 0; i < 200; i++) {
+        clast_vec3 at = {1e-4 * i, 0, 50};
+        assert_int_equal(clast_body_add(b, &(clast_body_def){.shape = 0, .position = at}),
+                         before + i);
+    }
+    assert_int_equal(clast_world_prepare(b), CLAST_ERR_ARGUMENT); /* they overlap, far outside */
+    assert_non_null(strstr(clast_world_error(b), "outside the domain"));
+    clast_world_free(a);
+    clast_world_free(b);
+}
+
 static int make_folder(void **state) {
     (void)state;
     folder = test_folder("checkpoint");
@@ -195,6 +216,7 @@ int main(void) {
         cmocka_unit_test(damaged_files_are_refused),
         cmocka_unit_test(missing_and_foreign_files_are_named),
         cmocka_unit_test(another_scene_inherits),
+        cmocka_unit_test(bodies_follow_inherited_ones),
     };
     return cmocka_run_group_tests(tests, make_folder, drop_folder);
 }
