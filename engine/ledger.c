@@ -1,14 +1,16 @@
 /* ledger.c - where the energy is and what went where.
  *
  * Kept exactly for the leapfrog. The kinetic energy is v(n-1/2).v(n+1/2)/2 and what the contact
- * forces do to a body in one kick is force times mean velocity: these two agree to rounding. Of
- * this work, the normal forces do the mean of the forces at the two ends of a step times the change
- * of the overlap; what walls and tangential springs do not account for of the rest is friction.
- * Elastic energy is a function of the overlap. What does not add up is then the error of
- * integrating the normal contact (order dt^2 inside, dt^2.5 at the onset), and it is what grows
- * when a step is too large: the residual is the failure detector. Rejected: the work of every
- * tangential force by itself. Contact points travel, so it is of first order unless the old point
- * is kept or found again (a third more work per contact). */
+ * forces do to a body in one kick is force times mean velocity: these two agree to rounding (with
+ * three different moments of inertia: to dt^2, by the rotation between kicks). Of this work, the
+ * normal forces do the mean of the forces at the two ends of a step times the change of the
+ * overlap; what walls and tangential springs do not account for of the rest is friction. Elastic
+ * energy is a function of the overlap. What does not add up is then the error of integrating the
+ * normal contact (order dt^2 inside, dt^2.5 at the onset), and it is what grows when a step is too
+ * large: the residual is the failure detector. What a contact law makes shows as friction or
+ * damping below zero instead, and guard.c looks there too. Rejected: the work of every tangential
+ * force by itself. Contact points travel, so it is of first order unless the old point is kept or
+ * found again (a third more work per contact). */
 #include "engine/numbers.h"
 #include "engine/world.h"
 

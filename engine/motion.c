@@ -239,7 +239,7 @@ static void copy_start(clast_world *w) {
 
 /* Velocities at the time of the positions, without touching the state: the mean of the half steps
  * before and after. Also the kinetic energies, as v-.v+ and L-.w+, which the discrete motion
- * conserves exactly (the mean of squares would be off by the square of the kick). */
+ * goes by (the mean of squares would be off by the square of the kick). */
 void velocities_synchronise(clast_world *w) {
     reserve_view(w);
     if (!w->prepared) {

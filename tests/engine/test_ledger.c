@@ -126,8 +126,7 @@ static double settling_residual(double step, bool clumps) {
     return residual;
 }
 
-/* Without the travel of the contact points in the books (contact_kernel.c) clumps came to
- * order 1.4. */
+/* With the work of old forces taken at the new contact points, clumps came to order 1.4. */
 static void the_residual_of_a_bed_falls_with_the_step(void **state) {
     (void)state;
     for (int clumps = 0; clumps < 2; clumps++) {
