@@ -15,7 +15,7 @@
 extern char **environ;
 
 /* m/s: the free fall out of the picture; one scale for all frames of the animation */
-#define FASTEST "1.5"
+#define FASTEST "2"
 
 /* Runs the command with these arguments (NULL at the end); its exit code. */
 static int command(const char *const *arguments) {
