@@ -147,6 +147,13 @@ static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
     return NULL;
 }
 
+/* Solving takes milliseconds, and pairs of a scene often share a restitution. */
+static double damping_for(const clast_world *w, double restitution) {
+    for (int i = 0; i < w->material_count * w->material_count; i++)
+        if (w->coefs[i].set && w->coefs[i].restitution == restitution) return w->coefs[i].damping;
+    return clast_damping_ratio(w->def.law, restitution);
+}
+
 clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *d) {
     CLAST_ASSERT(w && d && a >= 0 && a < w->material_count && b >= 0 && b < w->material_count);
     const material *ma = &w->materials[a], *mb = &w->materials[b];
@@ -163,7 +170,7 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
         .g_star = 1 / ((2 - ma->poisson) / ga + (2 - mb->poisson) / gb),
         .stiffness = d->stiffness,
         .tangential = ratio * d->stiffness,
-        .damping = clast_damping_ratio(w->def.law, d->restitution),
+        .damping = damping_for(w, d->restitution),
         .friction = d->friction,
         .cohesion = d->cohesion,
         .restitution = d->restitution,

@@ -359,8 +359,3 @@ const char *render_canvas_backend(const render_canvas *canvas) {
     RENDER_ASSERT(canvas);
     return render_context_name(canvas->context);
 }
-
-const char *render_canvas_renderer(const render_canvas *canvas) {
-    RENDER_ASSERT(canvas);
-    return canvas->gl.renderer;
-}

@@ -27,8 +27,6 @@ render_status render_gl_load(render_gl *gl, const render_context *context) {
     if (status != RENDER_OK) return status;
     gl->GetInteger64v(GL_MAX_RENDERBUFFER_SIZE, &gl->max_size);
     gl->GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &gl->max_bytes);
-    snprintf(gl->renderer, sizeof gl->renderer, "%s / %s", (const char *)gl->GetString(GL_RENDERER),
-             (const char *)gl->GetString(GL_VERSION));
     return RENDER_OK;
 }
 

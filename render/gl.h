@@ -68,7 +68,6 @@ typedef struct render_gl {
 #undef X
     GLint64 max_size;  /* pixels, of a renderbuffer's side */
     GLint64 max_bytes; /* of a shader storage block */
-    char renderer[160];
 } render_gl;
 
 /* The context is current. Fails if it is older than OpenGL 4.5. */

@@ -256,7 +256,6 @@ RENDER_MUST_CHECK render_status render_canvas_draw(render_canvas *canvas, const 
                                                    render_image *image);
 render_timing render_canvas_timing(const render_canvas *canvas);
 const char *render_canvas_backend(const render_canvas *canvas);  /* "osmesa" or "egl" */
-const char *render_canvas_renderer(const render_canvas *canvas); /* "llvmpipe (...) / 4.5 ..." */
 void render_canvas_free(render_canvas *canvas);                  /* NULL is fine */
 
 /* ---- Overlay: labels ---- */

@@ -10,7 +10,7 @@
 #include "experiments/run/frames.h"
 
 struct results {
-    char *folder, *scene;
+    char *folder;
     csv *series;
     h5_file *archive;
     frame_list frames;
@@ -19,22 +19,6 @@ struct results {
 };
 
 /* ---- opening --------------------------------------------------------------------------------- */
-
-static char *read_file(const char *path) {
-    FILE *f = fopen(path, "r");
-    if (!f) return NULL;
-    char *text = NULL;
-    size_t length = 0, got;
-    do {
-        text = realloc(text, length + 65537);
-        CLAST_ASSERT(text);
-        got = fread(text + length, 1, 65536, f);
-        length += got;
-    } while (got > 0);
-    text[length] = '\0';
-    fclose(f);
-    return text;
-}
 
 static h5_file *open_archive(const char *folder, char error[RESULTS_ERROR_MAX]) {
     char *path = path_in(folder, FILE_RUN);
@@ -54,15 +38,12 @@ results *results_open(const char *folder, char error[RESULTS_ERROR_MAX]) {
     CLAST_ASSERT(r);
     r->folder = text_format("%s", folder);
     r->archive = open_archive(folder, error);
-    char *series = path_in(folder, FILE_SERIES), *text = path_in(folder, FILE_SCENE);
+    char *series = path_in(folder, FILE_SERIES);
     if (!error[0]) r->series = csv_read(series, error);
     if (!error[0]) r->stage = stage_read(r->archive);
     if (!error[0] && h5_status(r->archive) != CLAST_OK)
         snprintf(error, RESULTS_ERROR_MAX, "%s", h5_error(r->archive));
-    r->scene = read_file(text);
-    if (!r->scene) r->scene = text_format("%s", "");
     free(series);
-    free(text);
     if (r->series && !error[0]) {
         r->frames = frames_find(folder, r->archive);
         return r;
@@ -78,21 +59,14 @@ void results_free(results *r) {
     stage_free(r->stage);
     free(r->frames.items);
     free(r->folder);
-    free(r->scene);
     free(r);
 }
 
-const char *results_scene(const results *r) {
-    return r->scene;
-}
 const stage *results_stage(const results *r) {
     return r->stage;
 }
 size_t results_rows(const results *r) {
     return r->series->rows;
-}
-const csv *results_table(const results *r) {
-    return r->series;
 }
 const char *results_error(const results *r) {
     return r->error;
@@ -105,25 +79,7 @@ const double *results_series(const results *r, const char *column) {
     return csv_column(r->series, column);
 }
 
-csv *results_samples(const results *r, const char *name) {
-    char error[RESULTS_ERROR_MAX];
-    char *path = text_format("%s/%s.samples.csv", r->folder, name);
-    csv *t = csv_read(path, error);
-    free(path);
-    return t;
-}
-
 /* ---- frames ---------------------------------------------------------------------------------- */
-
-double results_frame_time(const results *r, size_t i) {
-    CLAST_ASSERT(r && i < r->frames.count);
-    return r->frames.items[i].time;
-}
-
-uint64_t results_frame_step(const results *r, size_t i) {
-    CLAST_ASSERT(r && i < r->frames.count);
-    return r->frames.items[i].step;
-}
 
 size_t results_frame_at(const results *r, double time) {
     CLAST_ASSERT(r && r->frames.count > 0);

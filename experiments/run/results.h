@@ -44,25 +44,15 @@ typedef struct results results;
 results *results_open(const char *folder, char error[RESULTS_ERROR_MAX]);
 void results_free(results *r);
 
-/* The scene as it was run, with its parameters. */
-const char *results_scene(const results *r);
-
 /* Walls, domain and view. */
 const stage *results_stage(const results *r);
 
 /* Rows and columns of series.csv. */
 size_t results_rows(const results *r);
 const double *results_series(const results *r, const char *column);
-const csv *results_table(const results *r);
-
-/* The samples of the measure of that name, NULL when there are none; to be freed with csv_free().
- */
-csv *results_samples(const results *r, const char *name);
 
 /* Frames in the order of time. */
 size_t results_frames(const results *r);
-double results_frame_time(const results *r, size_t i);
-uint64_t results_frame_step(const results *r, size_t i);
 size_t results_frame_at(const results *r, double time); /* the one nearest in time */
 
 /* One frame; bodies by ascending id, spheres in the order of bodies. */
