@@ -366,8 +366,7 @@ clast_status clast_checkpoint_inherit(clast_world *w, const char *path);
  * atomically. */
 clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts);
 
-/* ---- helpers that scenes and studies need, with the engine's own bits ---------------------------
- */
+/* ---- helpers that scenes and studies need, with the engine's own bits ---------------- */
 
 /* Uniform in [0, 1): a pure function of (seed, stream, counter), Philox 4x32-10. */
 double clast_random(uint64_t seed, uint64_t stream, uint64_t counter);
