@@ -145,7 +145,7 @@ static void run_case(bench *b, render_preset preset, render_projection projectio
 }
 
 int main(int argc, char **argv) {
-    char folder[] = "/tmp/render-bench-XXXXXX";
+    char folder[] = "render-bench-XXXXXX";
     bench b = {.frames = argc > 1 ? atoi(argv[1]) : 20, .rounds = argc > 2 ? atoi(argv[2]) : 3};
     b.folder = argc > 3 ? argv[3] : mkdtemp(folder);
     if (b.frames < 1 || b.rounds < 1 || !b.folder) {

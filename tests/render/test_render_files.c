@@ -22,7 +22,7 @@ static const char *in_folder(const char *name) {
 
 static int make_folder(void **state) {
     (void)state;
-    strcpy(folder, "/tmp/clast-render-XXXXXX");
+    strcpy(folder, "render-files-XXXXXX"); /* below the working folder: the build */
     return mkdtemp(folder) ? 0 : -1;
 }
 
