@@ -1,0 +1,132 @@
+/* scene_grate.c - G: few spheres on 11 slowly moving bars, where the cost of a step counts and not
+ * that of a sphere. The forward-acting grate of S12 chapter 4: grate 13 degrees down, bars 7
+ * degrees up, so that every bar holds a pocket; two spheres wide; every bar slides along itself at
+ * a speed of its own, its neighbours the other way, up to one stroke of 30 mm. */
+#include "tests/bench/recipe.h"
+
+#include <math.h>
+
+enum { BARS = 11 };
+static const double LENGTH = 0.190, HEIGHT = 0.030; /* m, of a bar */
+static const double RADIUS = 0.0075, HALF_WIDTH = 0.016;
+static const double DEGREE = 3.14159265358979 / 180;
+
+typedef struct grate {
+    double sine, cosine;   /* of the bars */
+    clast_vec3 nose, next; /* m, top edge of bar 0, and from one nose to the next */
+} grate;
+
+/* A bar rests on the next one: their tops are one height apart across the bars, so from nose to
+ * nose it is height / sin(7 + 13 degrees). */
+static grate grate_new(void) {
+    double bar = 7 * DEGREE, down = 13 * DEGREE, pitch = HEIGHT / sin(bar + down);
+    grate g = {
+        .sine = sin(bar), .cosine = cos(bar), .next = {pitch * cos(down), 0, -pitch * sin(down)}};
+    return g;
+}
+
+static clast_vec3 nose_of(const grate *g, int bar) {
+    return (clast_vec3){bar * g->next.x, 0, bar * g->next.z};
+}
+
+/* m, of the nose of a bar and `back` along it, `below` across it. */
+static clast_vec3 place_on(const grate *g, int bar, double back, double below) {
+    clast_vec3 n = nose_of(g, bar);
+    return (clast_vec3){n.x - back * g->cosine + below * g->sine, 0,
+                        n.z - back * g->sine - below * g->cosine};
+}
+
+static void add_bar(clast_world *w, const grate *g, int bar, bench_stage stage) {
+    double speed = (bar % 2 ? 1 : -1) * (2.5e-3 + 1e-4 * bar);
+    if (stage != BENCH_RUNNING) speed = 0;
+    clast_vec3 along = {speed * g->cosine, 0, speed * g->sine};
+    static const char *const TOPS[BARS] = {"top 1", "top 2", "top 3", "top 4",  "top 5", "top 6",
+                                           "top 7", "top 8", "top 9", "top 10", "top 11"};
+    static const char *const FRONTS[BARS] = {"front 1", "front 2",  "front 3", "front 4",
+                                             "front 5", "front 6",  "front 7", "front 8",
+                                             "front 9", "front 10", "front 11"};
+    int part = clast_part_add(w, &(clast_part_def){.name = TOPS[bar], .velocity = along});
+    clast_wall_def top = {TOPS[bar],
+                          CLAST_WALL_PLATE,
+                          BENCH_WALL,
+                          .point = place_on(g, bar, 0.5 * LENGTH, 0),
+                          .normal = {-g->sine, 0, g->cosine},
+                          .side = {g->cosine, 0, g->sine},
+                          .half_side = {0.5 * LENGTH, 1.5 * HALF_WIDTH}};
+    clast_wall_def front = {FRONTS[bar],
+                            CLAST_WALL_PLATE,
+                            BENCH_WALL,
+                            .point = place_on(g, bar, 0, 0.5 * HEIGHT),
+                            .normal = {g->cosine, 0, g->sine},
+                            .side = {-g->sine, 0, g->cosine},
+                            .half_side = {0.5 * HEIGHT, 1.5 * HALF_WIDTH}};
+    if (clast_wall_add(w, part, &top) < 0 || clast_wall_add(w, part, &front) < 0)
+        bench_fail(w, TOPS[bar]);
+}
+
+/* Side walls, a wall behind the first pocket and one through the last bar, which keeps its top on
+ * both sides of it when it moves back. */
+static void add_box(clast_world *w, const grate *g) {
+    int box = clast_part_add(w, &(clast_part_def){.name = "box"});
+    bench_plane(w, box, "side 1", BENCH_WALL, (clast_vec3){0, -HALF_WIDTH, 0},
+                (clast_vec3){0, 1, 0});
+    bench_plane(w, box, "side 2", BENCH_WALL, (clast_vec3){0, HALF_WIDTH, 0},
+                (clast_vec3){0, -1, 0});
+    bench_plane(w, box, "inlet", BENCH_WALL, place_on(g, 0, 0.0824, 0), (clast_vec3){1, 0, 0});
+    bench_plane(w, box, "outlet", BENCH_WALL, place_on(g, BARS - 1, HEIGHT, 0),
+                (clast_vec3){-1, 0, 0});
+}
+
+static double grate_half_width(const bench_scene *scene) {
+    (void)scene;
+    return HALF_WIDTH;
+}
+
+/* Swelling clay on acrylic, S12 table 4.3. */
+static bench_law grate_law(void) {
+    return (bench_law){.density = 700,
+                       .young = 1e5,
+                       .poisson = 0.4,
+                       .wall_young = 3.2e9,
+                       .wall_poisson = 0.4,
+                       .restitution = 0.7,
+                       .wall_restitution = 0.55,
+                       .friction = 0.5,
+                       .wall_friction = 0.8};
+}
+
+static clast_world *grate_world(const bench_scene *scene, const bench_wish *wish,
+                                bench_stage stage) {
+    grate g = grate_new();
+    clast_world_def d = bench_def(scene, wish);
+    d.domain_min = (clast_vec3){-0.2, -0.1, -0.4};
+    d.domain_max = (clast_vec3){1.1, 0.1, 0.4};
+    d.max_overlap = 0.3; /* E of swelling clay, S12 table 4.3 */
+    d.global_damping = bench_damping(stage);
+    clast_world *w = bench_world(&d);
+    bench_law law = grate_law();
+    bench_materials(w, &law);
+    clast_shape_add_sphere(w, "sphere", RADIUS, BENCH_GRAIN);
+    for (int i = 0; i < BARS; i++) add_bar(w, &g, i, stage);
+    add_box(w, &g);
+    return w;
+}
+
+/* Rows of two above the line of the noses. */
+static void grate_fill(clast_world *w, const bench_scene *scene) {
+    grate g = grate_new();
+    const double pitch = 2.2 * RADIUS, play = 0.0005;
+    double from = -0.0824 + pitch, to = (BARS - 1) * g.next.x - HEIGHT - pitch;
+    int along = (int)floor((to - from) / pitch);
+    for (size_t i = 0; i < scene->bodies; i++) {
+        int y = (int)i % 2, x = (int)i / 2 % along, layer = (int)i / 2 / along;
+        double at = from + pitch * x;
+        clast_vec3 p = {at + bench_uniform(3, 2 * i, -play, play),
+                        (y ? 7.75e-3 : -7.75e-3) + bench_uniform(3, 2 * i + 1, -1e-4, 1e-4),
+                        at / g.next.x * g.next.z + 1.5 * RADIUS + pitch * layer};
+        bench_body(w, p, 0, (clast_vec3){0, 0, 0});
+    }
+}
+
+const bench_recipe bench_grate = {grate_world,  grate_fill,  grate_law, grate_half_width,
+                                  .threads = 1, .fall = 0.5, .limit = 3};
