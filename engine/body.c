@@ -1,4 +1,4 @@
-/* body.c - the columns of bodies and the element spheres derived from them. */
+/* body.c - the columns of bodies. */
 #include <string.h>
 
 #include "engine/world.h"
@@ -19,14 +19,20 @@ bool body_is_outside(const clast_world *w, size_t slot) {
              p.z <= hi.z);
 }
 
-/* Spin of a body with this angular momentum: omega = R I^-1 R^T L. */
+/* Spin of a body with this angular momentum, omega = R I^-1 R^T L, with the bits of the kernel. */
 vec3 body_spin_of(const clast_world *w, int32_t shape_index, quat q, vec3 l) {
     const shape *s = &w->shapes[shape_index];
-    if (w->def.motion == CLAST_MOTION_IN_PLANE || s->round_inertia)
+    if (w->def.motion == CLAST_MOTION_IN_PLANE || w->special.round)
         return v3_mul(s->inverse_inertia,
                       l); /* in a plane, l has one component: about a principal axis */
     mat3 r = q_matrix(q);
     return m3_apply(&r, v3_mul(s->inverse_inertia, m3_apply_transposed(&r, l)));
+}
+
+vec3 body_spin(const clast_world *w, size_t slot) {
+    const body_store *b = &w->bodies;
+    return body_spin_of(w, b->shape[slot], body_orientation(w, slot),
+                        v3(b->lx[slot], b->ly[slot], b->lz[slot]));
 }
 
 void body_reserve(clast_world *w, size_t count) {
@@ -50,8 +56,8 @@ static void permute_column(void *column, size_t size, const uint32_t *order, siz
 void body_permute(clast_world *w, const uint32_t *order) {
     body_store *b = &w->bodies;
     if (w->cells.permute_capacity < b->capacity) {
-        w->cells.permute = memory_grow(w, w->cells.permute, w->cells.permute_capacity * 8,
-                                       b->capacity * 8, 1);
+        w->cells.permute =
+            memory_grow(w, w->cells.permute, w->cells.permute_capacity * 8, b->capacity * 8, 1);
         w->cells.permute_capacity = b->capacity;
     }
 #define X(type, name) permute_column(b->name, sizeof(type), order, b->count, w->cells.permute);
@@ -74,62 +80,11 @@ void body_remove(clast_world *w, size_t slot) {
     w->counters.removed++;
 }
 
-static void spheres_reserve(clast_world *w, size_t count) {
-    sphere_store *s = &w->spheres;
-    if (count <= s->capacity) return;
-    size_t old = s->capacity, now = count + count / 2;
-    double **columns[] = {&s->x, &s->y, &s->z, &s->radius};
-    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
-        *columns[i] = memory_grow(w, *columns[i], old, now, sizeof(double));
-    s->body = memory_grow(w, s->body, old, now, sizeof *s->body);
-    s->capacity = now;
-}
-
-/* Lays the spheres out in the order of the bodies; positions follow by spheres_place(). */
-void spheres_layout(clast_world *w) {
-    sphere_store *s = &w->spheres;
-    size_t count = 0;
-    for (size_t i = 0; i < w->bodies.count; i++)
-        count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
-    spheres_reserve(w, count);
-    size_t place = 0;
-    for (size_t i = 0; i < w->bodies.count; i++) {
-        const shape *sh = &w->shapes[w->bodies.shape[i]];
-        s->first[i] = place;
-        for (int k = 0; k < sh->spheres; k++, place++) {
-            s->radius[place] = sh->radius[k];
-            s->body[place] = (int32_t)i;
-        }
-    }
-    s->first[w->bodies.count] = place;
-    s->count = place;
-}
-
-void spheres_place(clast_world *w, size_t body_begin, size_t body_end) {
-    if (w->def.motion == CLAST_MOTION_IN_PLANE) {
-        plane_place_spheres(w, body_begin, body_end);
-        return;
-    }
-    sphere_store *s = &w->spheres;
-    for (size_t i = body_begin; i < body_end; i++) {
-        const shape *sh = &w->shapes[w->bodies.shape[i]];
-        mat3 r = q_matrix(body_orientation(w, i));
-        vec3 centre = body_position(w, i);
-        for (int k = 0; k < sh->spheres; k++) {
-            vec3 p = v3_add(centre, m3_apply(&r, sh->centre[k]));
-            size_t e = s->first[i] + (size_t)k;
-            s->x[e] = p.x;
-            s->y[e] = p.y;
-            s->z[e] = p.z;
-        }
-    }
-}
-
 static uint32_t new_id(clast_world *w) {
     if (w->next_id >= w->slot_of_id_capacity) {
         size_t capacity = 2 * w->slot_of_id_capacity + 64;
-        w->slot_of_id = memory_grow(w, w->slot_of_id, w->slot_of_id_capacity, capacity,
-                                    sizeof *w->slot_of_id);
+        w->slot_of_id =
+            memory_grow(w, w->slot_of_id, w->slot_of_id_capacity, capacity, sizeof *w->slot_of_id);
         w->slot_of_id_capacity = capacity;
     }
     return w->next_id++;
@@ -140,13 +95,14 @@ static void store_pose(body_store *b, size_t i, vec3 p, quat q) {
     b->qw[i] = q.w, b->qx[i] = q.x, b->qy[i] = q.y, b->qz[i] = q.z;
 }
 
-static void store_motion(body_store *b, size_t i, vec3 v, vec3 l, vec3 spin) {
+static void store_motion(body_store *b, size_t i, vec3 v, vec3 l) {
     b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
     b->lx[i] = l.x, b->ly[i] = l.y, b->lz[i] = l.z;
-    b->wx[i] = spin.x, b->wy[i] = spin.y, b->wz[i] = spin.z;
 }
 
-static bool is_finite(vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+static bool is_finite(vec3 a) {
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
 
 int clast_body_add(clast_world *w, const clast_body_def *def) {
     CLAST_ASSERT(w && def && def->shape >= 0 && def->shape < w->shape_count && !w->prepared);
@@ -155,7 +111,8 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
     if (norm2 == 0) q = (quat){1, 0, 0, 0};
     if (norm2 != 0 && !(norm2 > 0.98 && norm2 < 1.02))
         return world_fail(w, CLAST_ERR_ARGUMENT, "body %u: orientation is not a unit quaternion",
-                          w->next_id), -1;
+                          w->next_id),
+               -1;
     if (!is_finite(def->position) || !is_finite(def->velocity) || !is_finite(def->spin))
         return world_fail(w, CLAST_ERR_ARGUMENT,
                           "body %u: position, velocity or spin is not finite", w->next_id),
@@ -169,8 +126,7 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
     b->id[i] = new_id(w);
     b->shape[i] = def->shape;
     store_pose(b, i, def->position, q);
-    store_motion(b, i, def->velocity,
-                 m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)), def->spin);
+    store_motion(b, i, def->velocity, m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)));
     w->slot_of_id[b->id[i]] = (int32_t)i;
     return (int)b->id[i];
 }

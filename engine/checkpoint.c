@@ -13,7 +13,7 @@
 #include "engine/hdf5_io.h"
 #include "engine/world.h"
 
-enum { FORMAT_VERSION = 1 };
+enum { FORMAT_VERSION = 2 };
 #define FORMAT_NAME "clast checkpoint"
 
 enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };
@@ -59,7 +59,7 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
             (int)d->unloading);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
-    fprintf(t, "global damping %.17g\n", d->global_damping);
+    fprintf(t, "global damping %.17g, precision %d\n", d->global_damping, (int)d->precision);
     fprintf(t, "time step %.17g\n", w->dt);
     fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
@@ -92,6 +92,12 @@ static void describe_shape(FILE *t, const clast_world *w, int index) {
     fprintf(t, "\n");
 }
 
+static void describe_patch(FILE *t, const patch *p) {
+    for (int k = 0; k < 6 * p->triangles; k++)
+        fprintf(t, "%s%.17g", k % 6 == 0 ? " corners " : " ", p->corner[k]);
+    fprintf(t, "\n");
+}
+
 static void describe_walls(FILE *t, const clast_world *w) {
     for (int i = 0; i < w->part_count; i++) {
         const clast_part_def *d = &w->parts[i].def;
@@ -107,8 +113,9 @@ static void describe_walls(FILE *t, const clast_world *w) {
         fprintf(t, " normal %.17g %.17g %.17g side %.17g %.17g %.17g half %.17g %.17g", d->normal.x,
                 d->normal.y, d->normal.z, d->side.x, d->side.y, d->side.z, d->half_side[0],
                 d->half_side[1]);
-        fprintf(t, " belt %.17g %.17g %.17g\n", d->belt_velocity.x, d->belt_velocity.y,
+        fprintf(t, " belt %.17g %.17g %.17g", d->belt_velocity.x, d->belt_velocity.y,
                 d->belt_velocity.z);
+        describe_patch(t, &w->walls[i].patch);
     }
 }
 
@@ -186,11 +193,12 @@ static void save_field(h5_file *f, const char *name, h5_type type, size_t width,
     X(sphere_a, H5_I32, 1)                                                                         \
     X(sphere_b, H5_I32, 1)                                                                         \
     X(history.overlap, H5_F64, 1)                                                                  \
-    X(history.spring, H5_F64, 3)                                                                   \
-    X(history.force, H5_F64, 3)
+    X(history.normal, H5_F64, 1)                                                                   \
+    X(history.spring, H5_F64, 3)
 
 static void save_contacts(h5_file *f, clast_world *w) {
     records_collect(w);
+    records_sort(w);
 #define X(field, type, width)                                                                      \
     save_field(f, "/contacts/" #field, type, width, offsetof(contact_record, field), &w->records);
     RECORD_FIELDS(X)
@@ -419,7 +427,6 @@ static void install_records(clast_world *w, const saved *s) {
     if (s->record_count > 0)
         memcpy(w->records.items, s->records, s->record_count * sizeof *s->records);
     w->records.count = s->record_count;
-    records_sort(w);
 }
 
 static void install(clast_world *w, const saved *s) {
@@ -434,7 +441,7 @@ static void install(clast_world *w, const saved *s) {
     install_bodies(w, s);
     install_records(w, s);
     walls_move(w);
-    pairs_rebuild(w);
+    lists_rebuild(w);
     contacts_restore(w);
     w->failed = false;
 }
@@ -574,7 +581,6 @@ static void inherit_contacts(clast_world *w, const saved *s) {
         r.b = with_wall ? CLAST_WALL_ID + (uint32_t)wall_index : (uint32_t)place_of_id(s, r.b);
         w->records.items[w->records.count++] = r;
     }
-    records_sort(w);
 }
 
 clast_status clast_checkpoint_inherit(clast_world *w, const char *path) {

@@ -84,6 +84,12 @@ typedef enum clast_isa {
     CLAST_ISA_AVX512
 } clast_isa;
 
+typedef enum clast_precision {
+    CLAST_PRECISION_DOUBLE,
+    CLAST_PRECISION_MIXED /* positions, overlaps and sums double; velocities at contacts, springs
+                             and forces single */
+} clast_precision;
+
 typedef struct clast_world_def {
     clast_vec3 gravity;         /* m/s2 */
     clast_law law;              /* one contact law per world */
@@ -101,14 +107,15 @@ typedef struct clast_world_def {
     clast_vec3 domain_min, domain_max; /* m; bodies stay inside */
     clast_outside outside;             /* what happens to a body whose centre leaves the domain */
 
-    clast_guard_mode guards;   /* report is for stability experiments */
-    double max_overlap;        /* of the smaller radius of a contact; typical 0.05 */
-    double max_displacement;   /* of the smallest radius, in one step; typical 0.1 */
-    double max_residual;       /* of the energy put in; typical 0.05 */
+    clast_guard_mode guards; /* report is for stability experiments */
+    double max_overlap;      /* of the smaller radius of a contact; typical 0.05 */
+    double max_displacement; /* of the smallest radius, in one step; typical 0.1 */
+    double max_residual;     /* of the energy put in; typical 0.05 */
 
-    double skin; /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
-    int threads;    /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
-    clast_isa isa;  /* vector lanes of the contact kernel; never observable */
+    double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
+    int threads;   /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
+    clast_isa isa; /* vector lanes; never observable */
+    clast_precision precision;
     uint64_t seed;  /* the only source of randomness of a run */
     uint32_t magic; /* set by clast_world_def_default(): catches a def that was built by hand */
 } clast_world_def;
@@ -137,11 +144,11 @@ typedef struct clast_material_def {
 int clast_material_add(clast_world *w, const clast_material_def *def);
 
 typedef struct clast_pair_def {
-    double restitution;       /* measured rebound of a single collision, in (0.01, 1] */
-    double friction;          /* Coulomb coefficient, >= 0 */
-    double cohesion;          /* N, C of A00 1.71 in the friction limit; >= 0 */
-    double stiffness;         /* N/m, linear law only; > 0 */
-    double tangential_ratio;  /* k_t / k_n, linear law only; 0 reads as 2/7 */
+    double restitution;      /* measured rebound of a single collision, in (0.01, 1] */
+    double friction;         /* Coulomb coefficient, >= 0 */
+    double cohesion;         /* N, C of A00 1.71 in the friction limit; >= 0 */
+    double stiffness;        /* N/m, linear law only; > 0 */
+    double tangential_ratio; /* k_t / k_n, linear law only; 0 reads as 2/7 */
 } clast_pair_def;
 
 /* Every pair of materials that can touch must be set before the first step. */
@@ -151,14 +158,14 @@ clast_status clast_pair_set(clast_world *w, int material_a, int material_b,
 typedef struct clast_shape_def {
     const char *name;
     int material;
-    int spheres;                /* >= 1 */
-    const clast_vec3 *centre;   /* m, body frame: origin at the centre of mass, principal axes */
-    const double *radius;       /* m, > 0 */
-    double mass;                /* kg; 0 works it out from the density: spheres must not overlap */
-    clast_vec3 inertia; /* kg m2, principal; {0} works it out likewise: then the centre of mass
-                           of the spheres must be at the origin, their axes principal */
-    int outline_points;         /* target profile for drawing, may be 0 */
-    const double *outline;      /* m, outline_points pairs (x, z) in the body frame */
+    int spheres;              /* >= 1 */
+    const clast_vec3 *centre; /* m, body frame: origin at the centre of mass, principal axes */
+    const double *radius;     /* m, > 0 */
+    double mass;              /* kg; 0 works it out from the density: spheres must not overlap */
+    clast_vec3 inertia;    /* kg m2, principal; {0} works it out likewise: then the centre of mass
+                              of the spheres must be at the origin, their axes principal */
+    int outline_points;    /* target profile for drawing, may be 0 */
+    const double *outline; /* m, outline_points pairs (x, z) in the body frame */
 } clast_shape_def;
 
 int clast_shape_add(clast_world *w, const clast_shape_def *def);
@@ -172,18 +179,19 @@ clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *cent
 
 typedef struct clast_part_def {
     const char *name;
-    clast_vec3 velocity;       /* m/s, constant while moving */
-    double move_from;          /* s */
-    double move_until;         /* s; 0 reads as never ending */
-    double removed_at;         /* s; 0 reads as never */
+    clast_vec3 velocity; /* m/s, constant while moving */
+    double move_from;    /* s */
+    double move_until;   /* s; 0 reads as never ending */
+    double removed_at;   /* s; 0 reads as never */
 } clast_part_def;
 
 int clast_part_add(clast_world *w, const clast_part_def *def);
 
 typedef enum clast_wall_kind {
     CLAST_WALL_PLANE, /* infinite, material behind it: pushes along +normal */
-    CLAST_WALL_PLATE  /* rectangle without thickness, pushes from both sides, has edges and corners
+    CLAST_WALL_PLATE, /* rectangle without thickness, pushes from both sides, has edges and corners
                        */
+    CLAST_WALL_PATCH  /* flat piece of a mesh, likewise; made by clast_mesh_add() alone */
 } clast_wall_kind;
 
 typedef struct clast_wall_def {
@@ -199,12 +207,27 @@ typedef struct clast_wall_def {
 
 int clast_wall_add(clast_world *w, int part, const clast_wall_def *def);
 
+typedef struct clast_mesh_def {
+    const char *name;
+    int material;
+    int vertices, triangles;
+    const clast_vec3 *vertex; /* m */
+    const int32_t *triangle;  /* three indices each; a vertex that two triangles share joins them */
+    clast_vec3 belt_velocity; /* m/s */
+} clast_mesh_def;
+
+/* A surface of triangles without thickness. Triangles that join and lie in one plane become one
+ * wall (a patch) named NAME/0, NAME/1, ...: a sphere feels one contact per patch, whatever the
+ * triangles, and an edge or corner only where no face is felt. Returns the number of patches; their
+ * walls have the indices before clast_world_wall_count(). A triangle without area is an error. */
+int clast_mesh_add(clast_world *w, int part, const clast_mesh_def *def);
+
 typedef struct clast_body_def {
     int shape;
-    clast_vec3 position;     /* m, centre of mass */
+    clast_vec3 position; /* m, centre of mass */
     clast_quat orientation;
-    clast_vec3 velocity;     /* m/s */
-    clast_vec3 spin;         /* rad/s, world frame */
+    clast_vec3 velocity; /* m/s */
+    clast_vec3 spin;     /* rad/s, world frame */
 } clast_body_def;
 
 /* Returns the body's id: 0, 1, 2, ... in the order of adding, stable for the whole run. */
@@ -243,11 +266,11 @@ typedef struct clast_bodies {
     size_t count;
     const uint32_t *id;
     const int32_t *shape;
-    const double *x, *y, *z;              /* m */
-    const double *qw, *qx, *qy, *qz;      /* body to world */
-    const double *vx, *vy, *vz;           /* m/s */
-    const double *wx, *wy, *wz;           /* rad/s, world frame */
-    const double *mass;                   /* kg */
+    const double *x, *y, *z;         /* m */
+    const double *qw, *qx, *qy, *qz; /* body to world */
+    const double *vx, *vy, *vz;      /* m/s */
+    const double *wx, *wy, *wz;      /* rad/s, world frame */
+    const double *mass;              /* kg */
 } clast_bodies;
 
 clast_bodies clast_world_bodies(clast_world *w);
@@ -277,17 +300,17 @@ typedef struct clast_contact {
 size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room);
 
 typedef struct clast_energy {
-    double kinetic, rotational;  /* J */
-    double gravity;              /* J, against the domain's lowest corner, bodies present */
-    double elastic;              /* J, in contacts */
-    double damping, friction;    /* J, dissipated so far in dashpots and by sliding */
-    double global;               /* J, dissipated so far by global damping */
-    double wall_work;            /* J, done so far by moving walls on the bodies */
-    double removed;              /* J, carried off by bodies that left */
-    double input;                /* J, put in: motion and elastic energy at the start, height lost
-                                    since, and all that walls did, back and forth */
-    double residual;             /* J, what the sum misses: error of integrating normal contacts.
-                                    Energy made elsewhere shows as friction or damping below zero */
+    double kinetic, rotational; /* J */
+    double gravity;             /* J, against the domain's lowest corner, bodies present */
+    double elastic;             /* J, in contacts */
+    double damping, friction;   /* J, dissipated so far in dashpots and by sliding */
+    double global;              /* J, dissipated so far by global damping */
+    double wall_work;           /* J, done so far by moving walls on the bodies */
+    double removed;             /* J, carried off by bodies that left */
+    double input;               /* J, put in: motion and elastic energy at the start, height lost
+                                   since, and all that walls did, back and forth */
+    double residual;            /* J, what the sum misses: error of integrating normal contacts.
+                                   Energy made elsewhere shows as friction or damping below zero */
 } clast_energy;
 
 clast_energy clast_world_energy(clast_world *w);
@@ -309,7 +332,7 @@ int clast_world_wall_count(const clast_world *w);
 int clast_world_material_count(const clast_world *w);
 clast_shape_def clast_world_shape(const clast_world *w, int shape); /* with mass and inertia */
 clast_part_def clast_world_part(const clast_world *w, int part);
-clast_wall_def clast_world_wall(const clast_world *w, int wall);    /* as at t = 0, normalised */
+clast_wall_def clast_world_wall(const clast_world *w, int wall); /* as at t = 0, normalised */
 int clast_world_wall_part(const clast_world *w, int wall);
 const clast_world_def *
 clast_world_definition(const clast_world *w); /* with automatic values filled in */
@@ -318,28 +341,31 @@ clast_world_definition(const clast_world *w); /* with automatic values filled in
  */
 
 typedef struct clast_plan {
-    double time_step;            /* s, the one in use */
-    double rayleigh_step;        /* s, A00 1.28, smallest sphere */
-    double contact_time;         /* s, shortest contact at the expected speed */
-    double critical_step;        /* s, 2 / omega of the stiffest contact on the lightest body */
-    double impact_speed;         /* m/s, that the contact time was taken at */
-    double resolution;           /* contact_time / time_step */
-    double skin;                 /* m */
+    double time_step;     /* s, the one in use */
+    double rayleigh_step; /* s, A00 1.28, smallest sphere */
+    double contact_time;  /* s, shortest contact at the expected speed */
+    double critical_step; /* s, 2 / omega of the stiffest contact on the lightest body */
+    double impact_speed;  /* m/s, that the contact time was taken at */
+    double resolution;    /* contact_time / time_step */
+    double skin;          /* m */
     int threads;
-    const char *isa;             /* "baseline", "avx2", "avx512" */
-    const char *kernel;          /* what was specialised, in words */
+    const char *isa;    /* "baseline", "avx2", "avx512" */
+    const char *kernel; /* what was specialised, in words */
 } clast_plan;
 
 clast_plan clast_world_plan(const clast_world *w);
 
 typedef struct clast_counters {
-    uint64_t steps, rebuilds;
-    size_t bodies, spheres, pairs, candidates, contacts; /* now */
+    uint64_t steps, rebuilds, refreshes; /* of the reach list, of the contact list */
+    size_t bodies, spheres;              /* now */
+    size_t pairs;                        /* within the skin */
+    size_t candidates;                   /* near enough to be looked at in every step */
+    size_t contacts;
     double seconds_walls, seconds_neighbours, seconds_contacts, seconds_bodies, seconds_measure;
-    size_t bytes;                /* held by the engine now */
-    double overlap_max;          /* of the smaller radius, largest so far */
-    size_t removed;              /* bodies that left the domain */
-    uint64_t guard_trips;        /* failures that `report` let pass */
+    size_t bytes;         /* held by the engine now */
+    double overlap_max;   /* of the smaller radius, largest so far */
+    size_t removed;       /* bodies that left the domain */
+    uint64_t guard_trips; /* failures that `report` let pass */
 } clast_counters;
 
 clast_counters clast_world_counters(const clast_world *w);

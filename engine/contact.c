@@ -1,46 +1,57 @@
-/* contact.c - runs the contact kernel over all blocks and adds up what the threads found. */
+/* contact.c - runs the contact kernel over all shares, adds up what the threads found, and reads
+ * contacts one by one. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "engine/geometry.h"
 #include "engine/parallel.h"
+#include "engine/world.h"
 
-contact_kernel contact_kernel_baseline, contact_kernel_avx2, contact_kernel_avx512;
+/* ---- passes ---------------------------------------------------------------------------------- */
 
-static bool has_avx512(void) {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+typedef struct pass_order {
+    clast_world *w;
+    contact_mode mode;
+} pass_order;
+
+static void run_share(void *context, int thread) {
+    const pass_order *o = context;
+    o->w->contact_kernel(o->w, &o->w->shares[thread], o->mode);
 }
 
-/* A wish that the processor cannot fulfil falls back to the next best. */
-void contacts_choose_kernel(clast_world *w) {
-    clast_isa wish = w->def.isa == CLAST_ISA_AUTO ? CLAST_ISA_AVX512 : w->def.isa;
-    if (wish == CLAST_ISA_AVX512 && has_avx512()) {
-        w->kernel = contact_kernel_avx512, w->isa_name = "avx512";
-    } else if (wish >= CLAST_ISA_AVX2 && __builtin_cpu_supports("avx2")) {
-        w->kernel = contact_kernel_avx2, w->isa_name = "avx2";
-    } else {
-        w->kernel = contact_kernel_baseline, w->isa_name = "baseline";
+static void run_pass(clast_world *w, contact_mode mode) {
+    size_t parts = (size_t)w->threads * (size_t)w->part_count;
+    if (mode != CONTACTS_REPORT) memset(w->power_room, 0, parts * sizeof *w->power_room);
+    pass_order o = {w, mode};
+    parallel_run(w->threads, run_share, &o);
+}
+
+/* J that walls with a moving surface do in a step, at the forces of the last pass. */
+static double part_power(const clast_world *w, int part_index) {
+    exact_sum power = {0, 0};
+    for (int t = 0; t < w->threads; t++) sum_merge(&power, &w->shares[t].part_power[part_index]);
+    return sum_value(&power);
+}
+
+/* Mean of the forces at the two ends of the step, on the way of the surface. */
+static void book_parts(clast_world *w) {
+    double all = 0;
+    for (int p = 0; p < w->part_count; p++) {
+        double now = part_power(w, p), work = 0.5 * (w->parts[p].power + now);
+        w->parts[p].power = now;
+        w->parts[p].work_total += work;
+        all += work;
     }
-}
-
-static void run_blocks(void *context, size_t begin, size_t end, int thread) {
-    clast_world *w = context;
-    w->kernel(w, begin, end, &w->tallies[thread]);
-}
-
-static void clear_tallies(clast_world *w) {
-    memset(w->tally_work, 0, (size_t)w->threads * (size_t)w->part_count * sizeof *w->tally_work);
-    for (int t = 0; t < w->threads; t++)
-        w->tallies[t] = (contact_tally){.part_work = w->tally_work + t * w->part_count};
+    w->ledger.wall_work += all;
+    w->ledger.wall_input += fabs(all);
 }
 
 /* The sums are exact, so the order of the threads does not matter; the totals grow step by step. */
-static void add_tallies(clast_world *w) {
+static void book_contacts(clast_world *w) {
     exact_sum elastic = {0, 0}, dashpot = {0, 0};
     size_t contacts = 0;
     double overlap = 0;
     for (int t = 0; t < w->threads; t++) {
-        const contact_tally *tally = &w->tallies[t];
+        const contact_tally *tally = &w->shares[t].contact_tally;
         sum_merge(&elastic, &tally->elastic);
         sum_merge(&dashpot, &tally->dashpot);
         contacts += tally->contacts;
@@ -48,58 +59,166 @@ static void add_tallies(clast_world *w) {
     }
     w->ledger.elastic += sum_value(&elastic);
     w->ledger.dashpot += sum_value(&dashpot);
-    double all_parts = 0;
-    for (int p = 0; p < w->part_count; p++) {
-        exact_sum work = {0, 0};
-        for (int t = 0; t < w->threads; t++) sum_merge(&work, &w->tallies[t].part_work[p]);
-        w->parts[p].work_total += sum_value(&work);
-        all_parts += sum_value(&work);
-    }
-    w->ledger.wall_work += all_parts;
-    w->ledger.wall_input += fabs(all_parts);
     w->counters.contacts = contacts;
     w->overlap_now = overlap;
     if (overlap > w->counters.overlap_max) w->counters.overlap_max = overlap;
 }
 
 void contacts_evaluate(clast_world *w) {
-    clear_tallies(w);
-    parallel_for(w->threads, w->list.block_count, run_blocks, w);
-    add_tallies(w);
+    run_pass(w, CONTACTS_ADVANCE);
+    book_contacts(w);
+    book_parts(w);
 }
 
-/* Sums per pair from stored histories, with the bits of the evaluation that stored them. */
-void contacts_restore(clast_world *w) {
-    pair_list *l = &w->list;
-    for (size_t p = 0; p < l->pair_count; p++) {
-        l->forces[p] = (pair_force){0};
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            if (!l->candidates.touching[c]) continue;
-            touch t = touch_of(w, &l->pairs[p], c);
-            pair_force_add(&l->forces[p], &t, l->candidates.histories[c].force);
-        }
+static void clear_loads(clast_world *w) {
+    memset(w->rows.loads, 0, w->bodies.count * sizeof *w->rows.loads);
+    for (int t = 0; t < w->threads; t++) {
+        share *s = &w->shares[t];
+        if (s->overhang_count > 0) memset(s->overhang, 0, s->overhang_count * sizeof *s->overhang);
     }
 }
 
-stored_energy contact_stored_energy(const clast_world *w, const pair *p, size_t c) {
-    const pair_coef *k = &w->coefs[p->coef];
-    const history *h = &w->list.candidates.histories[c];
-    double s2 = v3_dot(h->spring, h->spring), d = h->overlap;
+/* Loads from stored histories, with the bits of the evaluation that stored them. */
+void contacts_restore(clast_world *w) {
+    clear_loads(w);
+    run_pass(w, CONTACTS_AGAIN);
+    for (int p = 0; p < w->part_count; p++) w->parts[p].power = part_power(w, p);
+}
+
+/* ---- one by one ------------------------------------------------------------------------------ */
+
+static void visit_list(const clast_world *w, const contact_list *l, bool with_wall,
+                       contact_visitor *visit, void *context) {
+    for (size_t k = 0; k < l->count; k++)
+        if (contact_touches(w, l, k)) visit(w, &(contact_place){l, k, with_wall}, context);
+}
+
+/* Touching contacts, in no order. */
+void contacts_visit(const clast_world *w, contact_visitor *visit, void *context) {
+    for (int t = 0; t < w->threads; t++) {
+        visit_list(w, &w->shares[t].contacts, false, visit, context);
+        visit_list(w, &w->shares[t].walls, true, visit, context);
+    }
+}
+
+static void forget_springs(clast_world *w, contact_list *l) {
+    for (size_t k = 0; k < l->count; k++) contact_clear_spring(w, l, k);
+}
+
+/* Where friction ends, its springs do. */
+void contacts_forget_springs(clast_world *w) {
+    for (int t = 0; t < w->threads; t++) {
+        forget_springs(w, &w->shares[t].contacts);
+        forget_springs(w, &w->shares[t].walls);
+    }
+}
+
+static const pair_coef *coef_of(const clast_world *w, const contact_place *at) {
+    size_t a = (size_t)at->list->a[at->index], b = (size_t)at->list->b[at->index];
+    int64_t own = w->rows.motion[body_of_sphere(w, a)].material;
+    int64_t other =
+        at->with_wall ? w->walls[b].def.material : w->rows.motion[body_of_sphere(w, b)].material;
+    return &w->coefs[own * w->material_count + other];
+}
+
+static double effective_radius(const clast_world *w, const contact_place *at) {
+    double ra = w->rows.centre[at->list->a[at->index]].radius;
+    if (at->with_wall) return ra;
+    double rb = w->rows.centre[at->list->b[at->index]].radius;
+    return ra * rb / (ra + rb);
+}
+
+double contact_smaller_radius(const clast_world *w, const contact_place *at) {
+    double ra = w->rows.centre[at->list->a[at->index]].radius;
+    if (at->with_wall) return ra;
+    double rb = w->rows.centre[at->list->b[at->index]].radius;
+    return ra < rb ? ra : rb;
+}
+
+stored_energy contact_stored_energy(const clast_world *w, const contact_place *at) {
+    const pair_coef *k = coef_of(w, at);
+    history h = contact_history(w, at->list, at->index, at->with_wall);
+    double s2 = v3_dot(h.spring, h.spring), d = h.overlap;
     if (w->def.law == CLAST_LAW_LINEAR)
         return (stored_energy){0.5 * k->stiffness * d * d, 0.5 * s2 / k->tangential};
-    double a = sqrt(w->list.candidates.radius[c] * d);
+    double a = sqrt(effective_radius(w, at) * d);
     return (stored_energy){8.0 / 15.0 * k->e_star * a * d * d, 0.5 * s2 / (8 * k->g_star * a)};
 }
 
+typedef struct energy_sums {
+    exact_sum normal, tangential;
+} energy_sums;
+
+static void add_energy(const clast_world *w, const contact_place *at, void *context) {
+    energy_sums *sums = context;
+    stored_energy e = contact_stored_energy(w, at);
+    sum_add(&sums->normal, &w->ledger.scale, e.normal);
+    sum_add(&sums->tangential, &w->ledger.scale, e.tangential);
+}
+
 stored_energy contacts_stored_energy(const clast_world *w) {
-    const pair_list *l = &w->list;
-    exact_sum normal = {0, 0}, tangential = {0, 0};
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            if (!l->candidates.touching[c]) continue;
-            stored_energy e = contact_stored_energy(w, &l->pairs[p], c);
-            sum_add(&normal, &w->ledger.scale, e.normal);
-            sum_add(&tangential, &w->ledger.scale, e.tangential);
-        }
-    return (stored_energy){sum_value(&normal), sum_value(&tangential)};
+    energy_sums sums = {{0, 0}, {0, 0}};
+    contacts_visit(w, add_energy, &sums);
+    return (stored_energy){sum_value(&sums.normal), sum_value(&sums.tangential)};
+}
+
+/* ---- readings -------------------------------------------------------------------------------- */
+
+static void make_reports(share *s) {
+    s->report = malloc((s->contacts.count + 1) * sizeof *s->report);
+    s->wall_report = malloc((s->walls.count + 1) * sizeof *s->wall_report);
+    CLAST_ASSERT(s->report && s->wall_report);
+}
+
+static void drop_reports(share *s) {
+    free(s->report), free(s->wall_report);
+    s->report = s->wall_report = NULL;
+}
+
+static contact_reading reading_of(const clast_world *w, const contact_list *l, size_t k,
+                                  const contact_report *r, bool with_wall) {
+    contact_reading reading = {.record = record_of(w, l, k, with_wall),
+                               .normal = from_kernel(w, r->normal),
+                               .force = from_kernel(w, r->force)};
+    const centre_row *c = &w->rows.centre[l->a[k]];
+    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
+    reading.point = v3_sub(centre, v3_scale(r->lever, reading.normal));
+    size_t a = body_of_sphere(w, (size_t)l->a[k]);
+    if (reading.record.a == w->bodies.id[a]) return reading;
+    reading.normal = v3_scale(-1, reading.normal); /* the name begins with the other body */
+    reading.force = v3_scale(-1, reading.force);
+    return reading;
+}
+
+static int by_record(const void *a, const void *b) {
+    const contact_reading *x = a, *y = b;
+    return record_compare(&x->record, &y->record);
+}
+
+static size_t read_list(const clast_world *w, const contact_list *l, const contact_report *reports,
+                        bool with_wall, contact_reading *to) {
+    size_t count = 0;
+    for (size_t k = 0; k < l->count; k++)
+        if (contact_touches(w, l, k)) to[count++] = reading_of(w, l, k, &reports[k], with_wall);
+    return count;
+}
+
+/* The contacts that touch, by a pass that changes nothing. */
+size_t contacts_read(clast_world *w, contact_reading **readings) {
+    size_t room = 1, count = 0;
+    for (int t = 0; t < w->threads; t++) {
+        make_reports(&w->shares[t]);
+        room += w->shares[t].contacts.count + w->shares[t].walls.count;
+    }
+    run_pass(w, CONTACTS_REPORT);
+    *readings = malloc(room * sizeof **readings);
+    CLAST_ASSERT(*readings);
+    for (int t = 0; t < w->threads; t++) {
+        share *s = &w->shares[t];
+        count += read_list(w, &s->contacts, s->report, false, *readings + count);
+        count += read_list(w, &s->walls, s->wall_report, true, *readings + count);
+        drop_reports(s);
+    }
+    if (count > 1) qsort(*readings, count, sizeof **readings, by_record);
+    return count;
 }

@@ -1,6 +1,7 @@
-/* contact_kernel.c - narrow phase, law and sums per pair, block by block so that everything between
- * stays in the first-level cache. Compiled once per instruction set (CLAST_KERNEL names the copy);
- * the bits are the same in all of them. */
+/* contact_kernel.c - one pass over the contacts of a share, batch by batch so that everything
+ * between stays in the first-level cache: rows into columns, geometry and law in vector lanes,
+ * forces into loads. Compiled once per instruction set and precision (CLAST_KERNEL names the copy);
+ * the bits are the same for all instruction sets. */
 #include "engine/contact_law.h"
 #include "engine/geometry.h"
 
@@ -9,189 +10,357 @@
 #endif
 contact_kernel CLAST_KERNEL;
 
-/* Places of the contacts of a batch. */
-typedef struct batch_places {
-    uint32_t pair[LANES], candidate[LANES];
-    touch touch[LANES];
-} batch_places;
+enum { LOADS = 9 };
 
-/* ---- narrow phase ---------------------------------------------------------------------------- */
-
-/* gap[k] < 0 where candidate begin + k overlaps (a difference of squares for spheres). */
-static void narrow_spheres(const clast_world *w, size_t begin, int count, double *gap) {
-    const double *restrict x = w->spheres.x, *restrict y = w->spheres.y, *restrict z = w->spheres.z,
-                 *restrict r = w->spheres.radius;
-    const int32_t *restrict a = w->list.candidates.a + begin, *restrict b =
-                                                                  w->list.candidates.b + begin;
-#pragma omp simd
-    for (int k = 0; k < count; k++) {
-        double dx = x[a[k]] - x[b[k]], dy = y[a[k]] - y[b[k]], dz = z[a[k]] - z[b[k]];
-        double reach = r[a[k]] + r[b[k]];
-        gap[k] = dx * dx + dy * dy + dz * dz - reach * reach;
-    }
-}
-
-static void narrow_walls(const clast_world *w, size_t begin, int count, double *gap) {
-    const sphere_store *s = &w->spheres;
-    const candidate_store *c = &w->list.candidates;
-    for (int k = 0; k < count; k++) {
-        int32_t e = c->a[begin + (size_t)k];
-        const wall *l = &w->walls[-1 - c->b[begin + (size_t)k]];
-        gap[k] = wall_approach(l, v3(s->x[e], s->y[e], s->z[e])).distance - s->radius[e];
-    }
-}
-
-/* ---- filling a batch ------------------------------------------------------------------------- */
-
-static vec3 velocity_at(const body_store *b, int32_t slot, vec3 arm) {
-    vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
-    return v3_add(v3(b->vx[slot], b->vy[slot], b->vz[slot]), v3_cross(spin, arm));
-}
-
-static vec3 velocity_of_b(const clast_world *w, const pair *p, const touch *t) {
-    if (p->b < 0) return w->walls[-1 - p->b].surface_velocity;
-    return velocity_at(&w->bodies, p->b, t->arm_b);
-}
-
-static void load_history(batch *b, int i, const history *h) {
-    b->old_overlap[i] = h->overlap;
-    b->sx[i] = h->spring.x, b->sy[i] = h->spring.y, b->sz[i] = h->spring.z;
-    b->old_fx[i] = h->force.x, b->old_fy[i] = h->force.y, b->old_fz[i] = h->force.z;
-}
-
-static void load_coefficients(batch *b, int i, const pair_coef *c) {
-    b->e_star[i] = c->e_star, b->g_star[i] = c->g_star;
-    b->stiffness[i] = c->stiffness, b->tangential[i] = c->tangential;
-    b->damping[i] = c->damping, b->friction[i] = c->friction, b->cohesion[i] = c->cohesion;
-}
-
-static void load_contact(const clast_world *w, batch *b, batch_places *places, uint32_t pair_index,
-                         uint32_t c) {
-    const pair *p = &w->list.pairs[pair_index];
-    int i = b->count++;
-    places->pair[i] = pair_index;
-    places->candidate[i] = c;
-    touch *t = &places->touch[i];
-    *t = touch_of(w, p, c);
-    vec3 v = v3_sub(velocity_at(&w->bodies, p->a, t->arm_a), velocity_of_b(w, p, t));
-    b->nx[i] = t->normal.x, b->ny[i] = t->normal.y, b->nz[i] = t->normal.z;
-    b->vx[i] = v.x, b->vy[i] = v.y, b->vz[i] = v.z;
-    b->overlap[i] = t->overlap;
-    b->radius[i] = w->list.candidates.radius[c];
-    b->mass[i] = p->mass;
-    load_coefficients(b, i, &w->coefs[p->coef]);
-    load_history(b, i, &w->list.candidates.histories[c]);
-}
-
-/* ---- the law over all lanes ------------------------------------------------------------------ */
-
-/* The choice is a constant in every call below, so each loop is compiled for its law. */
-LANE_INLINE void run_law(batch *b, law_choice choice, double dt) {
-#pragma omp simd
-    for (int i = 0; i < b->count; i++) contact_law(b, i, choice, dt);
-}
-
-LANE_INLINE void run_limit(batch *b, clast_law law, clast_unloading unloading,
-                             clast_friction_limit limit, double dt) {
-    if (limit == CLAST_LIMIT_TOTAL) run_law(b, (law_choice){law, unloading, CLAST_LIMIT_TOTAL}, dt);
-    else run_law(b, (law_choice){law, unloading, CLAST_LIMIT_SPRING}, dt);
-}
-
-LANE_INLINE void run_unloading(batch *b, clast_law law, const clast_world_def *d, double dt) {
-    if (d->unloading == CLAST_UNLOAD_RESCALE || law == CLAST_LAW_LINEAR)
-        run_limit(b, law, CLAST_UNLOAD_RESCALE, d->limit, dt);
-    else run_limit(b, law, CLAST_UNLOAD_AS_PRINTED, d->limit, dt);
-}
-
-static void evaluate_law(batch *b, const clast_world_def *d, double dt) {
-    if (d->law == CLAST_LAW_LINEAR) run_unloading(b, CLAST_LAW_LINEAR, d, dt);
-    else if (d->law == CLAST_LAW_HERTZ_A00) run_unloading(b, CLAST_LAW_HERTZ_A00, d, dt);
-    else run_unloading(b, CLAST_LAW_HERTZ_MINDLIN, d, dt);
-}
-
-/* ---- putting the results back ---------------------------------------------------------------- */
-
-static void tally_overlap(const clast_world *w, contact_tally *tally, const batch *b, int i,
-                          uint32_t c) {
-    const sphere_store *s = &w->spheres;
-    const candidate_store *k = &w->list.candidates;
-    double small = s->radius[k->a[c]];
-    if (k->b[c] >= 0 && s->radius[k->b[c]] < small) small = s->radius[k->b[c]];
-    double overlap = b->old_overlap[i] / small, sum = b->fx[i] + b->fy[i] + b->fz[i];
-    if (!(sum - sum == 0)) overlap = INFINITY;
-    if (overlap > tally->overlap_max) tally->overlap_max = overlap;
-}
-
-static void tally_work(const clast_world *w, contact_tally *tally, const batch *b, int i,
-                       const pair *p) {
-    const wall *l = &w->walls[-1 - p->b];
-    vec3 v = l->surface_velocity;
-    if (v.x == 0 && v.y == 0 && v.z == 0) return;
-    double work = 0.5 * w->contact_dt * ((b->old_fx[i] + b->fx[i]) * v.x +
-                                         (b->old_fy[i] + b->fy[i]) * v.y +
-                                         (b->old_fz[i] + b->fz[i]) * v.z);
-    sum_add(&tally->part_work[l->part], &w->ledger.scale, work);
-}
-
-static void store_contact(clast_world *w, const batch *b, const batch_places *places, int i,
-                          contact_tally *tally) {
-    uint32_t c = places->candidate[i], pair_index = places->pair[i];
-    candidate_store *k = &w->list.candidates;
-    vec3 force = v3(b->fx[i], b->fy[i], b->fz[i]);
-    k->histories[c] = (history){b->old_overlap[i], v3(b->sx[i], b->sy[i], b->sz[i]), force};
-    k->touching[c] = b->old_overlap[i] > 0;
-    if (w->list.pairs[pair_index].b < 0) tally_work(w, tally, b, i, &w->list.pairs[pair_index]);
-    if (!k->touching[c]) {
-        k->histories[c] = (history){0};
-        return;
-    }
-    tally->contacts++;
-    tally_overlap(w, tally, b, i, c);
-    pair_force_add(&w->list.forces[pair_index], &places->touch[i], force);
-}
-
-static void flush_batch(clast_world *w, batch *b, const batch_places *places,
-                        contact_tally *tally) {
-    if (b->count == 0) return;
-    evaluate_law(b, &w->def, w->contact_dt);
-    for (int i = 0; i < b->count; i++) {
-        sum_add(&tally->elastic, &w->ledger.scale, b->work_elastic[i]);
-        sum_add(&tally->dashpot, &w->ledger.scale, b->work_dashpot[i]);
-    }
-    for (int i = 0; i < b->count; i++) store_contact(w, b, places, i, tally);
-    b->count = 0;
-}
-
-/* ---- one block
- * -----------------------------------------------------------------------------------------------
- */
-
-static void run_block(clast_world *w, size_t pair_begin, size_t pair_end, contact_tally *tally) {
-    enum { NARROW = 256 };
-    const pair_list *l = &w->list;
-    double gap[NARROW];
+/* One pass over one list. */
+typedef struct pass {
+    const clast_world *w;
+    share *s;
+    const contact_list *list;
+    contact_report *report;
+    contact_mode mode;
+    bool with_walls;
+    law_need need;
+    law_choice choice;
+    contact_tally tally;
     batch b;
-    b.count = 0;
-    batch_places places;
-    bool walls = pair_begin >= l->wall_pairs;
-    size_t end = l->pairs[pair_end].first, p = pair_begin;
-    for (size_t i = pair_begin; i < pair_end; i++) l->forces[i] = (pair_force){0};
-    for (size_t begin = l->pairs[pair_begin].first; begin < end; begin += NARROW) {
-        int count = end - begin < NARROW ? (int)(end - begin) : NARROW;
-        if (walls) narrow_walls(w, begin, count, gap);
-        else narrow_spheres(w, begin, count, gap);
-        for (int k = 0; k < count; k++) {
-            size_t c = begin + (size_t)k;
-            if (!(gap[k] < 0) && !l->candidates.touching[c]) continue;
-            while (c >= l->pairs[p + 1].first) p++;
-            load_contact(w, &b, &places, (uint32_t)p, (uint32_t)c);
-            if (b.count == LANES) flush_batch(w, &b, &places, tally);
+    _Alignas(64) double scaled[LOADS][LANES]; /* force on a, torques on a and b, in quanta */
+    int64_t quanta[LOADS][LANES];
+} pass;
+
+/* ---- columns that are the same for all contacts ---------------------------------------------- */
+
+static void fill_coefficients(batch *b, int i, const pair_coef *c) {
+    b->k_normal[i] = (real)c->k_normal, b->k_tangent[i] = (real)c->k_tangent;
+    b->c_normal[i] = (real)c->c_normal, b->c_tangent[i] = (real)c->c_tangent;
+    b->friction[i] = (real)c->friction, b->cohesion[i] = (real)c->cohesion;
+}
+
+static void fill_constants(pass *p) {
+    const clast_world *w = p->w;
+    const shape *first = &w->shapes[0];
+    double r = first->radius[0];
+    const pair_coef *c = &w->coefs[first->material * (w->material_count + 1)];
+    for (int i = 0; i < LANES; i++) {
+        p->b.ra[i] = p->b.rb[i] = r;
+        p->b.radius[i] = (real)(0.5 * r), p->b.mass[i] = (real)(0.5 * first->mass);
+        p->b.per_small[i] = 1 / r;
+        fill_coefficients(&p->b, i, c);
+        for (int k = 0; k < 3; k++)
+            p->b.wb[k][i] = p->b.ob[k][i] = p->b.oa[k][i] = p->b.n[k][i] = p->b.v[k][i] = 0;
+    }
+}
+
+/* ---- rows into columns ----------------------------------------------------------------------- */
+
+LANE_INLINE void load_motion(batch *b, int i, const motion_row *ma, const motion_row *mb,
+                             law_need need) {
+    b->v[0][i] = (real)(ma->v[0] - mb->v[0]), b->v[1][i] = (real)(ma->v[1] - mb->v[1]);
+    if (!need.flat) {
+        b->v[2][i] = (real)(ma->v[2] - mb->v[2]);
+        b->wa[0][i] = (real)ma->w[0], b->wa[1][i] = (real)ma->w[1];
+        b->wb[0][i] = (real)mb->w[0], b->wb[1][i] = (real)mb->w[1];
+    }
+    b->wa[2][i] = (real)ma->w[2], b->wb[2][i] = (real)mb->w[2];
+}
+
+LANE_INLINE void load_arm(real (*to)[LANES], int i, const vec3 *arm, law_need need) {
+    to[0][i] = (real)arm->x, to[1][i] = (real)arm->y;
+    if (!need.flat) to[2][i] = (real)arm->z;
+}
+
+/* Spheres that are not like all others. */
+static void load_kinds(pass *p, int i, const centre_row *ca, const centre_row *cb,
+                       const motion_row *ma, const motion_row *mb) {
+    batch *b = &p->b;
+    b->ra[i] = ca->radius, b->rb[i] = cb->radius;
+    b->ma[i] = (real)ma->mass, b->mb[i] = (real)mb->mass;
+    if (p->w->special.one_material) return;
+    fill_coefficients(b, i, &p->w->coefs[ma->material * p->w->material_count + mb->material]);
+}
+
+LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
+    const row_store *r = &p->w->rows;
+    batch *b = &p->b;
+    bool one_kind = p->w->special.one_kind;
+    for (int i = 0; i < count; i++) {
+        size_t sa = (size_t)p->list->a[begin + (size_t)i],
+               sb = (size_t)p->list->b[begin + (size_t)i];
+        const centre_row *ca = &r->centre[sa], *cb = &r->centre[sb];
+        const motion_row *ma = &r->motion[need.clumps ? (size_t)r->body[sa] : sa];
+        const motion_row *mb = &r->motion[need.clumps ? (size_t)r->body[sb] : sb];
+        b->d[0][i] = ca->x - cb->x, b->d[1][i] = ca->y - cb->y;
+        if (!need.flat) b->d[2][i] = ca->z - cb->z;
+        load_motion(b, i, ma, mb, need);
+        if (need.clumps)
+            load_arm(b->oa, i, &r->arm[sa], need), load_arm(b->ob, i, &r->arm[sb], need);
+        if (!one_kind) load_kinds(p, i, ca, cb, ma, mb);
+    }
+}
+
+static void load_wall_contact(pass *p, int i, size_t sphere, const wall *l) {
+    const clast_world *w = p->w;
+    const row_store *r = &w->rows;
+    const centre_row *ca = &r->centre[sphere];
+    size_t slot = body_of_sphere(w, sphere);
+    const motion_row *m = &r->motion[slot];
+    batch *b = &p->b;
+    wall_touch t = touch_of_wall(w, l, from_kernel(w, v3(ca->x, ca->y, ca->z)), ca->radius);
+    vec3 n = to_kernel(w, t.normal), v = to_kernel(w, l->surface_velocity);
+    b->n[0][i] = n.x, b->n[1][i] = n.y, b->n[2][i] = n.z;
+    b->overlap[i] = t.overlap;
+    b->depth[i] = (real)(t.overlap > 0 ? t.overlap : 0);
+    b->la[i] = ca->radius - 0.5 * t.overlap, b->lb[i] = 0;
+    b->v[0][i] = (real)(m->v[0] - v.x), b->v[1][i] = (real)(m->v[1] - v.y);
+    b->v[2][i] = (real)(m->v[2] - v.z);
+    for (int k = 0; k < 3; k++) b->wa[k][i] = (real)m->w[k];
+    b->radius[i] = (real)ca->radius, b->mass[i] = (real)m->mass;
+    b->per_small[i] = 1 / ca->radius;
+    fill_coefficients(b, i, &w->coefs[m->material * w->material_count + l->def.material]);
+    if (!w->special.clumps) return;
+    const vec3 *arm = &r->arm[sphere];
+    b->oa[0][i] = (real)arm->x, b->oa[1][i] = (real)arm->y, b->oa[2][i] = (real)arm->z;
+}
+
+static void load_walls(pass *p, size_t begin, int count) {
+    for (int i = 0; i < count; i++)
+        load_wall_contact(p, i, (size_t)p->list->a[begin + (size_t)i],
+                          &p->w->walls[p->list->b[begin + (size_t)i]]);
+}
+
+/* Lanes behind the last contact: far apart and at rest. */
+static void pad(pass *p, int count, int padded) {
+    batch *b = &p->b;
+    for (int i = count; i < padded; i++) {
+        b->d[0][i] = 1e30, b->d[1][i] = b->d[2][i] = 0;
+        b->overlap[i] = -1, b->depth[i] = 0;
+        for (int k = 0; k < 3; k++) b->v[k][i] = b->wa[k][i] = b->wb[k][i] = 0;
+        b->n[0][i] = 1, b->n[1][i] = b->n[2][i] = 0;
+        b->la[i] = b->lb[i] = 0;
+        b->ma[i] = b->mb[i] = 1;
+    }
+}
+
+/* ---- lanes ----------------------------------------------------------------------------------- */
+
+static history_lanes history_at(const contact_list *l, size_t begin) {
+    real *const *c = (real *const *)l->column;
+    return (history_lanes){c[0] + begin, c[1] + begin, c[2] + begin, c[3] + begin, c[4] + begin};
+}
+
+LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
+    batch *b = &p->b;
+    law_choice choice = p->choice;
+    history_lanes h = history_at(p->list, begin);
+    if (!p->with_walls) {
+#pragma omp simd
+        for (int i = 0; i < padded; i++) touch_lane(b, i, need);
+        if (!p->w->special.one_kind) {
+#pragma omp simd
+            for (int i = 0; i < padded; i++) effective_lane(b, i);
         }
     }
-    flush_batch(w, &b, &places, tally);
+#pragma omp simd
+    for (int i = 0; i < padded; i++) contact_law(b, h, i, choice, need);
 }
 
-void CLAST_KERNEL(clast_world *w, size_t block_begin, size_t block_end, contact_tally *tally) {
-    for (size_t i = block_begin; i < block_end; i++)
-        run_block(w, w->list.block_first[i], w->list.block_first[i + 1], tally);
+/* Exact sums have no order, so they may be taken lane by lane. */
+static void tally_lanes(pass *p, int padded) {
+    const batch *b = &p->b;
+    sum_scale q = p->w->ledger.scale;
+    double ec = 0, ef = 0, dc = 0, df = 0, most = p->tally.overlap_max;
+    int touching = 0, bad = 0;
+    double limit = p->w->load_scale.limit;
+#pragma omp simd reduction(+ : ec, ef, dc, df, touching) reduction(max : most) reduction(| : bad)
+    for (int i = 0; i < padded; i++) {
+        double e = (double)b->elastic[i], coarse = (e + q.coarse) - q.coarse;
+        ec += coarse, ef += ((e - coarse) + q.fine) - q.fine;
+        double d = (double)b->dashpot[i];
+        coarse = (d + q.coarse) - q.coarse;
+        dc += coarse, df += ((d - coarse) + q.fine) - q.fine;
+        double overlap = b->overlap[i] * b->per_small[i];
+        most = overlap > most ? overlap : most;
+        touching += b->overlap[i] > 0;
+        double size = fabs(p->scaled[0][i]) + fabs(p->scaled[1][i]) + fabs(p->scaled[2][i]);
+        bad |= !(size < limit);
+    }
+    p->tally.overlap_max = bad ? INFINITY : most;
+    p->tally.contacts += (size_t)touching;
+    if (p->mode != CONTACTS_ADVANCE) return;
+    p->tally.elastic.coarse += ec, p->tally.elastic.fine += ef;
+    p->tally.dashpot.coarse += dc, p->tally.dashpot.fine += df;
+}
+
+/* ---- forces into loads ----------------------------------------------------------------------- */
+
+LANE_INLINE void scale_column(double *restrict to, const real *restrict from, double scale,
+                              int padded) {
+#pragma omp simd
+    for (int i = 0; i < padded; i++) to[i] = (double)from[i] * scale;
+}
+
+/* Towards zero; what is too large, or not a number, is held at the limit and found by the tally. */
+LANE_INLINE void round_column(int64_t *restrict to, double *restrict from, double limit,
+                              int padded) {
+#pragma omp simd
+    for (int i = 0; i < padded; i++) {
+        double x = from[i] < limit ? from[i] : limit;
+        from[i] = x > -limit ? x : -limit;
+    }
+#pragma omp simd
+    for (int i = 0; i < padded; i++) to[i] = (int64_t)from[i];
+}
+
+LANE_INLINE void scale_loads(pass *p, int padded, law_need need) {
+    const load_scale *q = &p->w->load_scale;
+    for (int k = 0; k < 3; k++) {
+        scale_column(p->scaled[k], p->b.f[k], q->force, padded);
+        if (!need.flat || k == 2) {
+            scale_column(p->scaled[3 + k], p->b.ta[k], q->torque, padded);
+            scale_column(p->scaled[6 + k], p->b.tb[k], q->torque, padded);
+        }
+    }
+}
+
+LANE_INLINE void round_loads(pass *p, int padded, law_need need) {
+    double limit = p->w->load_scale.limit;
+    for (int k = 0; k < LOADS; k++) {
+        bool third = k % 3 == 2, force = k < 3;
+        if (need.flat && third == force) continue;
+        if (!need.tangent && !need.clumps && !force) continue;
+        round_column(p->quanta[k], p->scaled[k], limit, padded);
+    }
+}
+
+LANE_INLINE void add_to(int64_t *sum, int64_t term) {
+    *sum = (int64_t)((uint64_t)*sum + (uint64_t)term);
+}
+
+LANE_INLINE void add_load(load_row *row, const pass *p, int i, bool of_a, law_need need) {
+    for (int k = 0; k < (need.flat ? 2 : 3); k++)
+        add_to(&row->force[k], of_a ? p->quanta[k][i] : -p->quanta[k][i]);
+    if (!need.tangent && !need.clumps) return;
+    for (int k = need.flat ? 2 : 0; k < 3; k++)
+        add_to(&row->torque[k], p->quanta[(of_a ? 3 : 6) + k][i]);
+}
+
+LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+    const row_store *r = &p->w->rows;
+    load_row *own = r->loads;
+    size_t end = p->s->body_end;
+    for (int i = 0; i < count; i++) {
+        size_t sa = (size_t)p->list->a[begin + (size_t)i],
+               sb = (size_t)p->list->b[begin + (size_t)i];
+        size_t a = need.clumps ? (size_t)r->body[sa] : sa;
+        add_load(own + a, p, i, true, need);
+        if (p->with_walls) continue;
+        size_t b = need.clumps ? (size_t)r->body[sb] : sb;
+        add_load(b < end ? own + b : p->s->overhang + (b - end), p, i, false, need);
+    }
+}
+
+/* ---- walls and readers ----------------------------------------------------------------------- */
+
+static void tally_power(pass *p, size_t begin, int count) {
+    for (int i = 0; i < count; i++) {
+        const wall *l = &p->w->walls[p->list->b[begin + (size_t)i]];
+        vec3 v = to_kernel(p->w, l->surface_velocity);
+        if (v.x == 0 && v.y == 0 && v.z == 0) continue;
+        double power =
+            (double)p->b.f[0][i] * v.x + (double)p->b.f[1][i] * v.y + (double)p->b.f[2][i] * v.z;
+        sum_add(&p->s->part_power[l->part], &p->w->ledger.scale, power * p->w->dt);
+    }
+}
+
+static void report(pass *p, size_t begin, int count) {
+    const batch *b = &p->b;
+    for (int i = 0; i < count; i++)
+        p->report[begin + (size_t)i] = (contact_report){
+            .normal = v3(b->n[0][i], b->n[1][i], b->n[2][i]),
+            .force = v3((double)b->f[0][i], (double)b->f[1][i], (double)b->f[2][i]),
+            .lever = b->la[i]};
+}
+
+/* ---- the pass -------------------------------------------------------------------------------- */
+
+LANE_INLINE void run_list(pass *p, law_need need) {
+    enum { GROUP = 16 }; /* lanes of the widest vector */
+    for (size_t begin = 0; begin < p->list->count; begin += LANES) {
+        size_t left = p->list->count - begin;
+        int count = left < LANES ? (int)left : LANES, padded = (count + GROUP - 1) / GROUP * GROUP;
+        if (p->with_walls)
+            load_walls(p, begin, count);
+        else
+            load_spheres(p, begin, count, need);
+        if (padded > count) pad(p, count, padded);
+        run_lanes(p, begin, padded, need);
+        scale_loads(p, padded, need);
+        tally_lanes(p, padded);
+        if (p->report) report(p, begin, count);
+        if (p->mode == CONTACTS_REPORT) continue;
+        round_loads(p, padded, need);
+        scatter(p, begin, count, need);
+        if (p->with_walls) tally_power(p, begin, count);
+    }
+}
+
+/* Every call below has constants for what the scene needs, so each is compiled for its case. */
+LANE_INLINE void run_flat(pass *p, bool linear, bool tangent, bool clumps) {
+    if (p->need.flat)
+        run_list(p, (law_need){linear, tangent, true, clumps});
+    else
+        run_list(p, (law_need){linear, tangent, false, clumps});
+}
+
+LANE_INLINE void run_clumps(pass *p, bool linear, bool tangent) {
+    if (p->need.clumps)
+        run_flat(p, linear, tangent, true);
+    else
+        run_flat(p, linear, tangent, false);
+}
+
+LANE_INLINE void run_tangent(pass *p, bool linear) {
+    if (p->need.tangent)
+        run_clumps(p, linear, true);
+    else
+        run_clumps(p, linear, false);
+}
+
+static void run(pass *p) {
+    if (p->list->count == 0) return;
+    fill_constants(p);
+    if (p->need.linear)
+        run_tangent(p, true);
+    else
+        run_tangent(p, false);
+}
+
+static law_choice choice_of(const clast_world *w, contact_mode mode) {
+    bool as_printed = w->def.unloading == CLAST_UNLOAD_AS_PRINTED && w->def.law != CLAST_LAW_LINEAR;
+    bool again = mode != CONTACTS_ADVANCE, mindlin = w->def.law == CLAST_LAW_HERTZ_MINDLIN;
+    bool total = w->def.limit == CLAST_LIMIT_TOTAL;
+    return (law_choice){.dt = again ? 0 : (real)w->contact_dt,
+                        .again = again,
+                        .advance = !again,
+                        .rescale = !as_printed,
+                        .keep_displacement = as_printed && mindlin,
+                        .keep_force = as_printed && !mindlin,
+                        .limit_total = total,
+                        .limit_elastic = !total};
+}
+
+void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
+    const speciality *k = &w->special;
+    pass p;
+    p.w = w, p.s = s, p.mode = mode;
+    p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps};
+    p.choice = choice_of(w, mode);
+    p.tally = (contact_tally){.contacts = 0};
+    p.list = &s->contacts, p.with_walls = false;
+    p.report = mode == CONTACTS_REPORT ? s->report : NULL;
+    run(&p);
+    p.list = &s->walls, p.with_walls = true;
+    p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
+    run(&p);
+    s->contact_tally = p.tally;
 }

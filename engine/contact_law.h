@@ -1,118 +1,244 @@
-/* contact_law.h - the contact laws, one lane at a time: coefficients, touch and history in, force
- * out.
+/* contact_law.h - the contact laws, one lane at a time: touch and history in, force out.
  *
- *   elastic   Hertz   F = 4/3 E* sqrt(R*) d^(3/2)              A00 1.1-1.4; k_n = 2 E* a is
- * A00 1.8-1.9 linear  F = k d                                  S12 2.15 dashpot   c_n = 2 beta
- * sqrt(k_n m*), c_t likewise          A00 1.21 with beta solved (restitution.c) no pull   F_n =
- * max(0, elastic + dashpot)                  S12 2.23 tangent   dS = -k_t v_t dt, k_t = 8 G* a
- * A00 1.14 (equal to S12 2.44) Coulomb   |S|, |S - c_t v_t| <= mu F_n + C A00 1.71-1.73
+ *   elastic   Hertz   F = 4/3 E* a d, a = sqrt(R* d)             A00 1.1-1.4; k_n = 2 E* a 1.8-1.9
+ *             linear  F = k d                                    S12 2.15
+ *   dashpot   c_n = 2 beta sqrt(k_n m*), c_t likewise            A00 1.21, beta by restitution.c
+ *   no pull   F_n = max(0, elastic + dashpot)                    S12 2.23
+ *   tangent   dS = -k_t v_t dt, k_t = 8 G* a                     A00 1.14 (equal to S12 2.44)
+ *   Coulomb   |S|, |S - c_t v_t| <= mu F_n + C                   A00 1.71-1.73
  *
  * Energy cannot be made: the spring is clipped before the dashpot is added (clipping the sum alone
  * can leave a spring longer than the limit), and it shrinks with its stiffness when the load falls.
  * Everything is arithmetic, sqrt and selects, so that the loop over lanes turns into vector code
- * with the bits of the scalar one.
+ * with the bits of the scalar one, and every expression changes its sign exactly when the two
+ * bodies change places. What a scene does not need is a constant of law_need and vanishes.
  */
 #ifndef CLAST_CONTACT_LAW_H
 #define CLAST_CONTACT_LAW_H
 
 #include "engine/world.h"
 
+/* Precision of velocities, springs and forces; positions, overlaps and sums are always double. */
+#ifdef CLAST_SINGLE
+typedef float real;
+#define REAL_SQRT sqrtf
+#else
+typedef double real;
+#define REAL_SQRT sqrt
+#endif
+
 enum { LANES = 64 };
 
 /* A call left in the loop over lanes would keep it scalar. */
 #define LANE_INLINE __attribute__((always_inline)) static inline
 
-/* Columns of one batch of contacts. */
+/* What the compiler knows of a scene. */
+typedef struct law_need {
+    bool linear;  /* else Hertz */
+    bool tangent; /* else no friction and no cohesion: no spring, no torque */
+    bool flat;    /* no third coordinate */
+    bool clumps;  /* arms from the centres of mass */
+} law_need;
+
+/* What does not change within a pass. Choices are weights of 0 and 1: products and sums with them
+ * are exact, and lanes cannot branch. */
+typedef struct law_choice {
+    real dt;             /* s */
+    real again, advance; /* again: forces of this state once more, the spring stays */
+    real rescale, keep_displacement, keep_force; /* clast_unloading */
+    real limit_total, limit_elastic;             /* clast_friction_limit */
+} law_choice;
+
+/* Columns of one batch of contacts, kernel frame. a is the sphere of lower index. */
 typedef struct batch {
-    int count;
-    /* touch */
-    double nx[LANES], ny[LANES], nz[LANES], overlap[LANES], radius[LANES], mass[LANES];
-    double vx[LANES], vy[LANES], vz[LANES]; /* m/s, of a against b at the contact */
-    /* coefficients of the pair of materials */
-    double e_star[LANES], g_star[LANES], stiffness[LANES], tangential[LANES];
-    double damping[LANES], friction[LANES], cohesion[LANES];
-    /* history: in and out */
-    double old_overlap[LANES], sx[LANES], sy[LANES], sz[LANES];
-    double old_fx[LANES], old_fy[LANES], old_fz[LANES];
-    /* out */
-    double fx[LANES], fy[LANES], fz[LANES], work_elastic[LANES], work_dashpot[LANES];
+    _Alignas(64) double d[3][LANES]; /* m, from centre b to centre a */
+    double ra[LANES], rb[LANES];     /* m */
+    double n[3][LANES];              /* unit, from b to a */
+    double overlap[LANES];           /* m; <= 0: apart */
+    real depth[LANES];               /* m, overlap or 0 */
+    double la[LANES], lb[LANES];     /* m, from the centres to the contact point */
+    real v[3][LANES];                /* m/s, of a against b, both taken at their centres of mass */
+    real wa[3][LANES], wb[3][LANES]; /* rad/s */
+    real oa[3][LANES], ob[3][LANES]; /* m, arms of the two spheres; clumps alone */
+    real ma[LANES], mb[LANES];       /* kg */
+    real radius[LANES], mass[LANES]; /* effective */
+    real k_normal[LANES], k_tangent[LANES], c_normal[LANES], c_tangent[LANES]; /* pair_coef */
+    real friction[LANES], cohesion[LANES];
+    double per_small[LANES];             /* 1/m, of the smaller radius */
+    real f[3][LANES];                    /* N, on a */
+    real ta[3][LANES], tb[3][LANES];     /* N m, on a and on b about their centres of mass */
+    real elastic[LANES], dashpot[LANES]; /* J, work of the normal force over the last step */
 } batch;
 
-typedef struct law_choice {
-    clast_law law;
-    clast_unloading unloading;
-    clast_friction_limit limit;
-} law_choice;
+/* History of the contacts of a batch, in place. */
+typedef struct history_lanes {
+    real *restrict overlap, *restrict normal, *restrict sx, *restrict sy, *restrict sz;
+} history_lanes;
+
+typedef struct three {
+    real x, y, z;
+} three;
+
+LANE_INLINE real dot3(law_need need, three a, three b) {
+    return need.flat ? a.x * b.x + a.y * b.y : a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+LANE_INLINE three add3(law_need need, three a, real s, three b) { /* a + s b */
+    return (three){a.x + s * b.x, a.y + s * b.y, need.flat ? 0 : a.z + s * b.z};
+}
+
+LANE_INLINE three scale3(law_need need, real s, three a) {
+    return (three){s * a.x, s * a.y, need.flat ? 0 : s * a.z};
+}
+
+/* Of two vectors in the plane: along its axis. */
+LANE_INLINE three cross3(law_need need, three a, three b) {
+    if (need.flat) return (three){0, 0, a.x * b.y - a.y * b.x};
+    return (three){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* A spin and a vector; in the plane the spin is along its axis. */
+LANE_INLINE three swing3(law_need need, three w, three a) {
+    if (need.flat) return (three){-w.z * a.y, w.z * a.x, 0};
+    return cross3(need, w, a);
+}
+
+/* A macro, since C does not let columns of a const batch pass as const. */
+#define COLUMN3(c, i) ((three){(c)[0][i], (c)[1][i], (c)[2][i]})
+
+/* ---- geometry: two spheres ------------------------------------------------------------------- */
+
+LANE_INLINE void touch_lane(batch *b, int i, law_need need) {
+    double dx = b->d[0][i], dy = b->d[1][i], dz = need.flat ? 0 : b->d[2][i];
+    double square = need.flat ? dx * dx + dy * dy : dx * dx + dy * dy + dz * dz;
+    double distance = sqrt(square), inverse = 1 / distance;
+    double overlap = (b->ra[i] + b->rb[i]) - distance;
+    b->n[0][i] = inverse * dx, b->n[1][i] = inverse * dy, b->n[2][i] = inverse * dz;
+    b->overlap[i] = overlap;
+    b->depth[i] = (real)(overlap > 0 ? overlap : 0);
+    b->la[i] = b->ra[i] - 0.5 * overlap, b->lb[i] = b->rb[i] - 0.5 * overlap;
+}
+
+/* Effective radius and mass of two spheres that are not like all others. */
+LANE_INLINE void effective_lane(batch *b, int i) {
+    double ra = b->ra[i], rb = b->rb[i];
+    b->radius[i] = (real)(ra * rb / (ra + rb));
+    b->mass[i] = b->ma[i] * b->mb[i] / (b->ma[i] + b->mb[i]);
+    b->per_small[i] = 1 / (ra < rb ? ra : rb);
+}
+
+/* ---- the law --------------------------------------------------------------------------------- */
 
 /* Elastic state at one overlap. */
 typedef struct elastic {
-    double force, k_n, k_t;
+    real a;     /* m; linear: 1 while touching */
+    real force; /* N */
 } elastic;
 
-LANE_INLINE elastic elastic_at(const batch *b, int i, double overlap, bool linear) {
-    if (linear) {
-        double on = overlap > 0 ? 1.0 : 0.0;
-        return (elastic){b->stiffness[i] * overlap, on * b->stiffness[i], on * b->tangential[i]};
-    }
-    double a = sqrt(b->radius[i] * overlap);
-    double k_n = 2 * b->e_star[i] * a;
-    return (elastic){2.0 / 3.0 * k_n * overlap, k_n, 8 * b->g_star[i] * a};
+LANE_INLINE elastic elastic_at(const batch *b, int i, real overlap, law_need need) {
+    if (need.linear) return (elastic){overlap > 0 ? 1 : 0, b->k_normal[i] * overlap};
+    real a = REAL_SQRT(b->radius[i] * overlap);
+    return (elastic){a, (real)2 / 3 * (b->k_normal[i] * a) * overlap};
 }
 
 /* What becomes of the tangential spring when the normal load has changed. */
-LANE_INLINE double spring_factor(law_choice choice, double k_t, double old_k_t) {
-    double ratio = old_k_t > 0 ? k_t / old_k_t : 0.0;
-    if (choice.unloading == CLAST_UNLOAD_RESCALE) return ratio < 1 ? ratio : 1.0;
-    if (choice.law == CLAST_LAW_HERTZ_MINDLIN) return ratio; /* the displacement is kept */
-    return 1.0;                                              /* the force is kept, A00 1.14 */
+LANE_INLINE real spring_factor(law_choice c, real a, real old_a) {
+    real ratio = old_a > 0 ? a / old_a : 0;
+    real rescaled = ratio < 1 ? ratio : 1;
+    return c.rescale * rescaled + c.keep_displacement * ratio + c.keep_force;
 }
 
-LANE_INLINE double limited(double square, double limit) {
-    return square > limit * limit ? limit / sqrt(square) : 1.0;
+LANE_INLINE real limited(real square, real limit) {
+    return square > limit * limit ? limit / REAL_SQRT(square) : 1;
 }
 
-LANE_INLINE void contact_law(batch *b, int i, law_choice choice, double dt) {
-    double nx = b->nx[i], ny = b->ny[i], nz = b->nz[i];
-    double overlap = b->overlap[i] > 0 ? b->overlap[i] : 0.0;
-    bool linear = choice.law == CLAST_LAW_LINEAR;
-    elastic now = elastic_at(b, i, overlap, linear);
-    elastic old = elastic_at(b, i, b->old_overlap[i], linear);
+/* Velocity of a against b at the contact point. */
+LANE_INLINE three slip_of(const batch *b, int i, three n, law_need need) {
+    three v = COLUMN3(b->v, i), wa = COLUMN3(b->wa, i), wb = COLUMN3(b->wb, i);
+    real la = (real)b->la[i], lb = (real)b->lb[i];
+    if (need.clumps) {
+        three oa = COLUMN3(b->oa, i), ob = COLUMN3(b->ob, i);
+        three at_a = swing3(need, wa, add3(need, oa, -la, n));
+        three at_b = swing3(need, wb, add3(need, ob, lb, n));
+        return add3(need, v, 1, add3(need, at_a, -1, at_b));
+    }
+    three u = {0, 0, la * wa.z + lb * wb.z};
+    if (!need.flat) u.x = la * wa.x + lb * wb.x, u.y = la * wa.y + lb * wb.y;
+    return add3(need, v, -1, swing3(need, u, n));
+}
 
-    double v_n = b->vx[i] * nx + b->vy[i] * ny + b->vz[i] * nz; /* > 0: moving apart */
-    double tx = b->vx[i] - v_n * nx, ty = b->vy[i] - v_n * ny, tz = b->vz[i] - v_n * nz;
-    double f_n = now.force - 2 * b->damping[i] * sqrt(now.k_n * b->mass[i]) * v_n;
-    f_n = f_n > 0 ? f_n : 0.0;
+/* The spring after this step, clipped to its limit. */
+LANE_INLINE three spring_after(three s, three n, three slip, real k_dt, real factor, real limit,
+                               law_choice c, law_need need) {
+    real length2 = dot3(need, s, s), along = c.advance * dot3(need, s, n);
+    s = add3(need, s, -along, n); /* into the tangent plane of now, at its length */
+    real flat2 = dot3(need, s, s);
+    real keep = flat2 > 0 ? REAL_SQRT(length2 / flat2) : 0;
+    keep = c.advance * (keep * factor) + c.again;
+    s = add3(need, scale3(need, keep, s), -k_dt, slip);
+    real clip = limited(dot3(need, s, s), limit);
+    return scale3(need, c.advance * clip + c.again, s);
+}
 
-    /* turn the spring into the tangent plane of now, at its length */
-    double sx = b->sx[i], sy = b->sy[i], sz = b->sz[i];
-    double length2 = sx * sx + sy * sy + sz * sz, along = sx * nx + sy * ny + sz * nz;
-    sx -= along * nx, sy -= along * ny, sz -= along * nz;
-    double flat2 = sx * sx + sy * sy + sz * sz;
-    double keep = flat2 > 0 ? sqrt(length2 / flat2) : 0.0;
-    keep *= spring_factor(choice, now.k_t, old.k_t);
+LANE_INLINE void store3(real (*to)[LANES], int i, three a) {
+    to[0][i] = a.x, to[1][i] = a.y, to[2][i] = a.z;
+}
 
-    double k_dt = now.k_t * dt;
-    sx = keep * sx - k_dt * tx, sy = keep * sy - k_dt * ty, sz = keep * sz - k_dt * tz;
-    double load = choice.limit == CLAST_LIMIT_TOTAL ? f_n : now.force;
-    double limit = overlap > 0 ? b->friction[i] * load + b->cohesion[i] : 0.0;
-    double clip = limited(sx * sx + sy * sy + sz * sz, limit);
-    sx *= clip, sy *= clip, sz *= clip;
-    double c_t = 2 * b->damping[i] * sqrt(now.k_t * b->mass[i]);
-    double fx = sx - c_t * tx, fy = sy - c_t * ty, fz = sz - c_t * tz;
-    clip = limited(fx * fx + fy * fy + fz * fz, limit);
-    fx = clip * fx + f_n * nx, fy = clip * fy + f_n * ny, fz = clip * fz + f_n * nz;
+/* Torques of the force f = normal and tangential: only the tangential part turns a sphere. */
+LANE_INLINE void store_torques(batch *b, int i, three n, three f, three f_t, law_need need) {
+    real la = (real)b->la[i], lb = (real)b->lb[i];
+    if (need.clumps) {
+        three on_a = add3(need, COLUMN3(b->oa, i), -la, n);
+        three on_b = add3(need, COLUMN3(b->ob, i), lb, n);
+        store3(b->ta, i, cross3(need, on_a, f));
+        store3(b->tb, i, cross3(need, on_b, (three){-f.x, -f.y, -f.z}));
+        return;
+    }
+    three m = cross3(need, n, f_t);
+    store3(b->ta, i, (three){-la * m.x, -la * m.y, -la * m.z});
+    store3(b->tb, i, (three){-lb * m.x, -lb * m.y, -lb * m.z});
+}
 
-    /* Work of the normal force over the last step: mean of the forces at its ends times the change
-     * of the overlap (ledger.c). Where a contact begins or ends there is a way, but not all of it
-     * is overlap. */
-    double old_f_n = b->old_fx[i] * nx + b->old_fy[i] * ny + b->old_fz[i] * nz;
-    bool lasting = overlap > 0 && b->old_overlap[i] > 0;
-    double way = lasting ? overlap - b->old_overlap[i] : -dt * v_n;
-    b->work_elastic[i] = -0.5 * (old.force + now.force) * way;
-    b->work_dashpot[i] = -0.5 * ((old_f_n - old.force) + (f_n - now.force)) * way;
-    b->fx[i] = fx, b->fy[i] = fy, b->fz[i] = fz;
-    b->sx[i] = sx, b->sy[i] = sy, b->sz[i] = sz;
-    b->old_overlap[i] = overlap;
+/* Work of the normal force over the last step: mean of the forces at its ends times the change of
+ * the overlap (ledger.c). Where a contact begins or ends there is a way, but not all of it is
+ * overlap. */
+LANE_INLINE void book_work(batch *b, int i, elastic now, elastic old, real f_n, real old_f_n,
+                           real way) {
+    b->elastic[i] = (real)-0.5 * (old.force + now.force) * way;
+    b->dashpot[i] = (real)-0.5 * ((old_f_n - old.force) + (f_n - now.force)) * way;
+}
+
+LANE_INLINE void contact_law(batch *b, history_lanes h, int i, law_choice c, law_need need) {
+    three n = {(real)b->n[0][i], (real)b->n[1][i], (real)b->n[2][i]};
+    real overlap = b->depth[i], old_overlap = h.overlap[i];
+    elastic now = elastic_at(b, i, overlap, need), old = elastic_at(b, i, old_overlap, need);
+    three slip = slip_of(b, i, n, need);
+    real v_n = dot3(need, slip, n); /* > 0: moving apart */
+    real root = REAL_SQRT(now.a * b->mass[i]);
+    real f_n = now.force - b->c_normal[i] * root * v_n;
+    f_n = f_n > 0 ? f_n : 0;
+    bool lasting = (overlap > 0) & (old_overlap > 0); /* a branch would keep lanes scalar */
+    real way = lasting ? overlap - old_overlap : -c.dt * v_n;
+    book_work(b, i, now, old, f_n, h.normal[i], way);
+    h.overlap[i] = overlap;
+    h.normal[i] = f_n;
+    three f_t = {0, 0, 0};
+    if (need.tangent) {
+        slip = add3(need, slip, -v_n, n);
+        real load = c.limit_total * f_n + c.limit_elastic * now.force;
+        real touching = overlap > 0 ? 1 : 0;
+        real limit = touching * (b->friction[i] * load + b->cohesion[i]);
+        three s = {h.sx[i], h.sy[i], need.flat ? 0 : h.sz[i]};
+        s = spring_after(s, n, slip, b->k_tangent[i] * now.a * c.dt, spring_factor(c, now.a, old.a),
+                         limit, c, need);
+        f_t = add3(need, s, -(b->c_tangent[i] * root), slip);
+        f_t = scale3(need, limited(dot3(need, f_t, f_t), limit), f_t);
+        h.sx[i] = s.x, h.sy[i] = s.y;
+        if (!need.flat) h.sz[i] = s.z;
+    }
+    three f = add3(need, f_t, f_n, n);
+    store3(b->f, i, f);
+    store_torques(b, i, n, f, f_t, need);
 }
 
 #endif

@@ -28,7 +28,9 @@ void world_complain(clast_world *w, const char *format, ...) {
     va_end(arguments);
 }
 
-const char *clast_world_error(const clast_world *w) { return w->error; }
+const char *clast_world_error(const clast_world *w) {
+    return w->error;
+}
 
 double world_seconds(void) {
     struct timespec t;

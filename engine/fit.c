@@ -25,8 +25,10 @@ static bool next_point(const ellipse *e, double chord, double *t, double *x, dou
         double middle = 0.5 * (low + high);
         point_at(e, middle, &px, &py);
         double d2 = (px - *x) * (px - *x) + (py - *y) * (py - *y);
-        if (d2 < chord * chord) low = middle;
-        else high = middle;
+        if (d2 < chord * chord)
+            low = middle;
+        else
+            high = middle;
     }
     *t = 0.5 * (low + high);
     point_at(e, *t, x, y);
@@ -53,8 +55,10 @@ clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *cent
     double x[SPHERES_MAX], y[SPHERES_MAX], low = 0, high = 4 * a;
     for (int i = 0; i < HALVINGS; i++) {
         double chord = 0.5 * (low + high);
-        if (overshoots(&e, chord, spheres, x, y)) high = chord;
-        else low = chord;
+        if (overshoots(&e, chord, spheres, x, y))
+            high = chord;
+        else
+            low = chord;
     }
     overshoots(&e, low, spheres, x, y);
     for (int i = 0; i < spheres; i++) {

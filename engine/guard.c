@@ -25,46 +25,43 @@ static clast_status trip(clast_world *w, const char *what) {
 
 /* ---- overlap --------------------------------------------------------------------------------- */
 
-static double smaller_radius(const clast_world *w, size_t c) {
-    const candidate_store *k = &w->list.candidates;
-    double a = w->spheres.radius[k->a[c]];
-    return k->b[c] >= 0 && w->spheres.radius[k->b[c]] < a ? w->spheres.radius[k->b[c]] : a;
+typedef struct worst {
+    contact_place at;
+    double overlap; /* of the smaller radius */
+    contact_record record;
+} worst;
+
+/* By relative overlap and, among equals, by name. Only numbers count: a force that is not one shows
+ * in the motion of its bodies. */
+static void find_worst(const clast_world *w, const contact_place *at, void *context) {
+    worst *so_far = context;
+    contact_record r = record_of(w, at->list, at->index, at->with_wall);
+    double overlap = r.history.overlap / contact_smaller_radius(w, at);
+    if (!(r.history.normal - r.history.normal == 0)) overlap = INFINITY;
+    bool first = overlap == so_far->overlap && record_compare(&r, &so_far->record) < 0;
+    if (overlap > so_far->overlap || first) *so_far = (worst){*at, overlap, r};
 }
 
-/* The pair of the worst contact, by relative overlap and, among equals, by name. */
-static size_t worst_contact(const clast_world *w, size_t *worst_pair) {
-    const pair_list *l = &w->list;
-    double most = -1;
-    size_t worst = 0;
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            const history *h = &l->candidates.histories[c];
-            if (!l->candidates.touching[c]) continue;
-            double sum = h->force.x + h->force.y + h->force.z;
-            double overlap = sum - sum == 0 ? h->overlap / smaller_radius(w, c) : INFINITY;
-            if (overlap > most) most = overlap, worst = c, *worst_pair = p;
-        }
-    return worst;
-}
-
-static void describe_pair(const clast_world *w, size_t p, char *text, size_t room) {
-    const pair *q = &w->list.pairs[p];
+static void describe_pair(const clast_world *w, const contact_record *r, char *text, size_t room) {
     char a[200], b[200];
-    describe_body(w, (size_t)q->a, a, sizeof a);
-    if (q->b >= 0) describe_body(w, (size_t)q->b, b, sizeof b);
-    else snprintf(b, sizeof b, "wall %s", w->walls[-1 - q->b].name);
+    describe_body(w, (size_t)w->slot_of_id[r->a], a, sizeof a);
+    if (r->b < CLAST_WALL_ID)
+        describe_body(w, (size_t)w->slot_of_id[r->b], b, sizeof b);
+    else
+        snprintf(b, sizeof b, "wall %s", w->walls[r->b - CLAST_WALL_ID].name);
     snprintf(text, room, "%s against %s", a, b);
 }
 
 static clast_status overlap_failure(clast_world *w) {
     char who[512], what[1024];
-    size_t p = 0, c = worst_contact(w, &p);
-    describe_pair(w, p, who, sizeof who);
-    const history *h = &w->list.candidates.histories[c];
+    worst found = {.overlap = -1};
+    contacts_visit(w, find_worst, &found);
+    if (found.overlap < 0) return trip(w, "a contact force is not a number");
+    describe_pair(w, &found.record, who, sizeof who);
+    const history *h = &found.record.history;
     snprintf(what, sizeof what,
              "overlap %.3g mm, %.3g of the smaller radius (limit %.3g), force %.3g N: %s",
-             1e3 * h->overlap, h->overlap / smaller_radius(w, c), w->def.max_overlap,
-             v3_norm(h->force), who);
+             1e3 * h->overlap, found.overlap, w->def.max_overlap, h->normal, who);
     return trip(w, what);
 }
 
@@ -77,7 +74,8 @@ static clast_status motion_failure(clast_world *w) {
     size_t who = 0;
     for (size_t i = 0; i < b->count; i++) {
         double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
-        double s2 = b->wx[i] * b->wx[i] + b->wy[i] * b->wy[i] + b->wz[i] * b->wz[i];
+        vec3 spin = body_spin(w, i);
+        double s2 = v3_dot(spin, spin);
         double bound = w->shapes[b->shape[i]].bound, speed = sqrt(v2) + sqrt(s2) * bound;
         if (!(speed <= most)) most = speed == speed ? speed : INFINITY, who = i;
     }
@@ -98,8 +96,7 @@ static clast_status motion_failure(clast_world *w) {
 clast_status guards_check_energy(clast_world *w) {
     clast_energy e = clast_world_energy(w);
     double floor_energy = 0;
-    for (int s = 0; s < w->shape_count; s++)
-        floor_energy = fmax(floor_energy, w->shapes[s].mass);
+    for (int s = 0; s < w->shape_count; s++) floor_energy = fmax(floor_energy, w->shapes[s].mass);
     floor_energy *= (double)w->bodies.count * v3_norm(w->def.gravity) * w->smallest_radius;
     double input = fmax(e.input, floor_energy);
     char what[256];
@@ -118,8 +115,7 @@ clast_status guards_check_energy(clast_world *w) {
 }
 
 clast_status guards_check(clast_world *w) {
-    double longest = w->def.max_displacement * w->smallest_radius;
-    if (!(w->found.step2_max <= longest * longest)) {
+    if (!(w->found.way <= w->def.max_displacement * w->smallest_radius)) {
         clast_status s = motion_failure(w);
         if (s) return s;
     }
@@ -148,7 +144,7 @@ clast_status guards_outside(clast_world *w) {
         }
         ledger_remove_body(w, (size_t)slot);
         body_remove(w, (size_t)slot);
-        w->list.stale = true;
+        w->stale = true;
     }
     return CLAST_OK;
 }
@@ -167,21 +163,44 @@ static int complain_of_outside(clast_world *w) {
     return faults;
 }
 
+static double gap_of(const clast_world *w, const contact_place *at) {
+    const centre_row *a = &w->rows.centre[at->list->a[at->index]];
+    vec3 centre = v3(a->x, a->y, a->z);
+    if (at->with_wall)
+        return -touch_of_wall(w, &w->walls[at->list->b[at->index]], from_kernel(w, centre),
+                              a->radius)
+                    .overlap;
+    const centre_row *b = &w->rows.centre[at->list->b[at->index]];
+    return v3_norm(v3_sub(centre, v3(b->x, b->y, b->z))) - (a->radius + b->radius);
+}
+
+/* Contacts of one body with another or with a wall are one fault. */
+static int complain_of_list(clast_world *w, const contact_list *l, bool with_wall, int faults) {
+    uint32_t last_a = 0, last_b = 0;
+    for (size_t k = 0; k < l->count; k++) {
+        contact_place at = {l, k, with_wall};
+        double overlap = -gap_of(w, &at), small = contact_smaller_radius(w, &at);
+        if (!(overlap > w->def.max_overlap * small)) continue;
+        contact_record r = record_of(w, l, k, with_wall);
+        if (faults > 0 && r.a == last_a && r.b == last_b) continue;
+        last_a = r.a, last_b = r.b;
+        char who[512];
+        describe_pair(w, &r, who, sizeof who);
+        if (faults++ < NAMED)
+            world_complain(w,
+                           "starts with an overlap of %.3g mm, %.3g of the smaller radius "
+                           "(limit %.3g): %s",
+                           1e3 * overlap, overlap / small, w->def.max_overlap, who);
+    }
+    return faults;
+}
+
 static int complain_of_overlaps(clast_world *w) {
-    const pair_list *l = &w->list;
     int faults = 0;
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            double overlap = touch_of(w, &l->pairs[p], c).overlap, small = smaller_radius(w, c);
-            if (!(overlap > w->def.max_overlap * small)) continue;
-            char who[512];
-            describe_pair(w, p, who, sizeof who);
-            if (faults++ < NAMED)
-                world_complain(w, "starts with an overlap of %.3g mm, %.3g of the smaller radius "
-                               "(limit %.3g): %s", 1e3 * overlap, overlap / small,
-                               w->def.max_overlap, who);
-            break;
-        }
+    for (int t = 0; t < w->threads; t++) {
+        faults = complain_of_list(w, &w->shares[t].contacts, false, faults);
+        faults = complain_of_list(w, &w->shares[t].walls, true, faults);
+    }
     return faults;
 }
 

@@ -19,9 +19,9 @@ static uint64_t mix_vec(uint64_t hash, vec3 a) {
     return mix_double(mix_double(mix_double(hash, a.x), a.y), a.z);
 }
 
-#define mix_of(type) mix_##type
+#define mix_of(type)       mix_##type
 #define mix_uint32_t(h, x) mix(h, x)
-#define mix_int32_t(h, x) mix(h, (uint64_t)(int64_t)(x))
+#define mix_int32_t(h, x)  mix(h, (uint64_t)(int64_t)(x))
 
 uint64_t clast_world_hash(const clast_world *world) {
     clast_world *w = (clast_world *)world; /* collecting records fills scratch, not state */
@@ -36,11 +36,12 @@ uint64_t clast_world_hash(const clast_world *world) {
 #undef X
     }
     records_collect(w);
+    records_sort(w);
     for (size_t i = 0; i < w->records.count; i++) {
         const contact_record *r = &w->records.items[i];
         h = mix(mix(mix(mix(h, r->a), r->b), (uint64_t)r->sphere_a), (uint64_t)r->sphere_b);
-        h = mix_vec(mix_vec(mix_double(h, r->history.overlap), r->history.spring),
-                    r->history.force);
+        h = mix_double(mix_double(h, r->history.overlap), r->history.normal);
+        h = mix_vec(h, r->history.spring);
     }
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);
     double books[sizeof(ledger) / sizeof(double)];

@@ -25,18 +25,22 @@ static double gravity_of(const clast_world *w) {
     return sum_value(&sum);
 }
 
+typedef struct largest {
+    double energy, count;
+} largest;
+
+static void find_largest(const clast_world *w, const contact_place *at, void *context) {
+    largest *l = context;
+    stored_energy e = contact_stored_energy(w, at);
+    l->energy = fmax(l->energy, e.normal + e.tangential);
+    l->count++;
+}
+
 /* The largest elastic energy of a contact times their number: has no order. */
 static double elastic_bound(const clast_world *w) {
-    const pair_list *l = &w->list;
-    double most = 0, count = 0;
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            if (!l->candidates.touching[c]) continue;
-            stored_energy e = contact_stored_energy(w, &l->pairs[p], c);
-            most = fmax(most, e.normal + e.tangential);
-            count++;
-        }
-    return most * count;
+    largest l = {0, 0};
+    contacts_visit(w, find_largest, &l);
+    return l.energy * l.count;
 }
 
 /* A power of two that no total of this scene should exceed by much: sets the quanta of the sums. */
@@ -48,7 +52,8 @@ static double energy_scale(const clast_world *w) {
         if (i < 0) continue;
         mass += w->shapes[b->shape[i]].mass;
         double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
-        double s2 = b->wx[i] * b->wx[i] + b->wy[i] * b->wy[i] + b->wz[i] * b->wz[i];
+        vec3 spin = body_spin(w, (size_t)i);
+        double s2 = v3_dot(spin, spin);
         double arm = w->shapes[b->shape[i]].bound;
         if (v2 + s2 * arm * arm > fastest2) fastest2 = v2 + s2 * arm * arm;
     }
@@ -63,16 +68,18 @@ static double energy_scale(const clast_world *w) {
 clast_energy clast_world_energy(clast_world *w) {
     CLAST_ASSERT(w && w->prepared);
     const ledger *l = &w->ledger;
-    velocities_synchronise(w);
+    motion_books m = motion_balance(w);
     stored_energy stored = contacts_stored_energy(w);
-    double tangential_work =
-        l->work + w->view.work_arrived - l->wall_work - l->elastic - l->dashpot;
-    clast_energy e = {.kinetic = w->view.kinetic, .rotational = w->view.rotational,
-                      .gravity = gravity_of(w), .elastic = stored.normal + stored.tangential,
+    double tangential_work = l->work + m.work_arrived - l->wall_work - l->elastic - l->dashpot;
+    clast_energy e = {.kinetic = m.kinetic,
+                      .rotational = m.rotational,
+                      .gravity = gravity_of(w),
+                      .elastic = stored.normal + stored.tangential,
                       .damping = -l->dashpot,
                       .friction = -tangential_work - (stored.tangential - l->start_tangential),
-                      .global = l->global + w->view.half_global,
-                      .wall_work = l->wall_work, .removed = l->removed};
+                      .global = l->global + m.half_global,
+                      .wall_work = l->wall_work,
+                      .removed = l->removed};
     double total = e.kinetic + e.rotational + e.gravity + e.elastic + e.damping + e.friction +
                    e.global + e.removed - e.wall_work;
     double fallen = l->start_gravity - (e.gravity + l->removed_gravity);
@@ -82,7 +89,9 @@ clast_energy clast_world_energy(clast_world *w) {
     return e;
 }
 
-void ledger_set_scale(clast_world *w) { w->ledger.scale = sum_scale_for(energy_scale(w)); }
+void ledger_set_scale(clast_world *w) {
+    w->ledger.scale = sum_scale_for(energy_scale(w));
+}
 
 /* Books the state at step 0 as the start. */
 void ledger_start(clast_world *w) {
@@ -90,8 +99,9 @@ void ledger_start(clast_world *w) {
     *l = (ledger){.scale = l->scale};
     for (int p = 0; p < w->part_count; p++) w->parts[p].work_total = 0;
     clast_energy e = clast_world_energy(w);
-    l->global = -w->view.half_global; /* a step is half of the kick at either end */
-    l->work = -w->view.work_arrived;
+    motion_books m = motion_balance(w);
+    l->global = -m.half_global; /* a step is half of the kick at either end */
+    l->work = -m.work_arrived;
     l->start_tangential = contacts_stored_energy(w).tangential;
     l->start_gravity = e.gravity;
     l->start_total = e.kinetic + e.rotational + e.gravity + e.elastic;
@@ -103,7 +113,7 @@ void ledger_remove_body(clast_world *w, size_t slot) {
     double mass = w->shapes[b->shape[slot]].mass;
     vec3 v = v3(b->vx[slot], b->vy[slot], b->vz[slot]),
          l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
-    vec3 spin = v3(b->wx[slot], b->wy[slot], b->wz[slot]);
+    vec3 spin = body_spin(w, slot);
     vec3 above = v3_sub(body_position(w, slot), w->def.domain_min);
     vec3 next = v3_add(v, v3_scale(w->dt, w->def.gravity)); /* it touches nothing out there */
     double gravity = -mass * v3_dot(above, w->def.gravity);

@@ -26,28 +26,6 @@ double number_fifth_root(double x) {
     return root;
 }
 
-/* Taylor series to x^17 and x^16: the first term left out is below 1e-19 at pi/4. */
-void number_sincos_small(double angle, double *sine, double *cosine) {
-    double z = angle * angle;
-    double p = 1.0 / 355687428096000.0;
-    p = -1.0 / 1307674368000.0 + z * p;
-    p = 1.0 / 6227020800.0 + z * p;
-    p = -1.0 / 39916800.0 + z * p;
-    p = 1.0 / 362880.0 + z * p;
-    p = -1.0 / 5040.0 + z * p;
-    p = 1.0 / 120.0 + z * p;
-    p = -1.0 / 6.0 + z * p;
-    *sine = angle + angle * (z * p);
-    double q = 1.0 / 20922789888000.0;
-    q = -1.0 / 87178291200.0 + z * q;
-    q = 1.0 / 479001600.0 + z * q;
-    q = -1.0 / 3628800.0 + z * q;
-    q = 1.0 / 40320.0 + z * q;
-    q = -1.0 / 720.0 + z * q;
-    q = 1.0 / 24.0 + z * q;
-    *cosine = 1.0 - 0.5 * z + z * (z * q);
-}
-
 void clast_sincos(double angle, double *sine, double *cosine) {
     CLAST_ASSERT(fabs(angle) <= 1e5);
     double quarter = floor(angle * (2 / NUMBER_PI) + 0.5);
@@ -58,10 +36,18 @@ void clast_sincos(double angle, double *sine, double *cosine) {
     double s, c;
     number_sincos_small(rest, &s, &c);
     switch ((long)quarter & 3) {
-    case 0: *sine = s, *cosine = c; break;
-    case 1: *sine = c, *cosine = -s; break;
-    case 2: *sine = -s, *cosine = -c; break;
-    default: *sine = -c, *cosine = s; break;
+    case 0:
+        *sine = s, *cosine = c;
+        break;
+    case 1:
+        *sine = c, *cosine = -s;
+        break;
+    case 2:
+        *sine = -s, *cosine = -c;
+        break;
+    default:
+        *sine = -c, *cosine = s;
+        break;
     }
 }
 

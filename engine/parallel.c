@@ -14,18 +14,16 @@ int parallel_max_threads(void) {
 #endif
 }
 
-void parallel_for(int threads, size_t count, parallel_body *body, void *context) {
+/* The run time may give fewer threads than asked for: then some of them work twice. */
+void parallel_run(int threads, parallel_body *body, void *context) {
     CLAST_ASSERT(threads >= 1);
 #ifdef _OPENMP
     if (threads > 1) {
 #pragma omp parallel num_threads(threads)
-        {
-            size_t t = (size_t)omp_get_thread_num(), n = (size_t)omp_get_num_threads();
-            size_t begin = count * t / n, end = count * (t + 1) / n;
-            if (begin < end) body(context, begin, end, (int)t);
-        }
+        for (int t = omp_get_thread_num(); t < threads; t += omp_get_num_threads())
+            body(context, t);
         return;
     }
 #endif
-    if (count > 0) body(context, 0, count, 0);
+    for (int t = 0; t < threads; t++) body(context, t);
 }

@@ -4,19 +4,59 @@
 
 #include "engine/world.h"
 
-static uint32_t id_of_b(const clast_world *w, const pair *p) {
-    return p->b >= 0 ? w->bodies.id[p->b] : CLAST_WALL_ID + (uint32_t)(-1 - p->b);
+contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall) {
+    size_t a = body_of_sphere(w, (size_t)l->a[k]);
+    contact_record r = {.a = w->bodies.id[a],
+                        .sphere_a = l->a[k] - (int32_t)first_sphere(w, a),
+                        .history = contact_history(w, l, k, with_wall)};
+    if (with_wall) {
+        r.b = CLAST_WALL_ID + (uint32_t)l->b[k];
+        return r;
+    }
+    size_t b = body_of_sphere(w, (size_t)l->b[k]);
+    uint32_t id = w->bodies.id[b];
+    int32_t within = l->b[k] - (int32_t)first_sphere(w, b);
+    if (id > r.a)
+        r.b = id, r.sphere_b = within;
+    else
+        r.b = r.a, r.sphere_b = r.sphere_a, r.a = id, r.sphere_a = within;
+    return r;
 }
 
-static contact_record record_of(const clast_world *w, const pair *p, size_t c) {
-    const candidate_store *k = &w->list.candidates;
-    const sphere_store *s = &w->spheres;
-    int32_t within_b = p->b >= 0 ? k->b[c] - (int32_t)s->first[p->b] : 0;
-    return (contact_record){w->bodies.id[p->a], id_of_b(w, p), k->a[c] - (int32_t)s->first[p->a],
-                            within_b, k->histories[c]};
+void records_reserve(clast_world *w, size_t count) {
+    record_list *r = &w->records;
+    if (count <= r->capacity) return;
+    r->items = memory_grow(w, r->items, r->capacity, count, sizeof *r->items);
+    r->capacity = count;
 }
 
-static int by_name(const void *left, const void *right) {
+static size_t count_touching(const clast_world *w) {
+    size_t count = 0;
+    for (int t = 0; t < w->threads; t++) {
+        const share *s = &w->shares[t];
+        for (size_t k = 0; k < s->contacts.count; k++) count += contact_touches(w, &s->contacts, k);
+        for (size_t k = 0; k < s->walls.count; k++) count += contact_touches(w, &s->walls, k);
+    }
+    return count;
+}
+
+static void collect(clast_world *w, const contact_list *l, bool with_wall) {
+    for (size_t k = 0; k < l->count; k++)
+        if (contact_touches(w, l, k))
+            w->records.items[w->records.count++] = record_of(w, l, k, with_wall);
+}
+
+/* Fills w->records with the contacts that touch, in no order. */
+void records_collect(clast_world *w) {
+    records_reserve(w, count_touching(w));
+    w->records.count = 0;
+    for (int t = 0; t < w->threads; t++) {
+        collect(w, &w->shares[t].contacts, false);
+        collect(w, &w->shares[t].walls, true);
+    }
+}
+
+int record_compare(const void *left, const void *right) {
     const contact_record *x = left, *y = right;
     if (x->a != y->a) return x->a < y->a ? -1 : 1;
     if (x->b != y->b) return x->b < y->b ? -1 : 1;
@@ -24,62 +64,49 @@ static int by_name(const void *left, const void *right) {
     return (x->sphere_b > y->sphere_b) - (x->sphere_b < y->sphere_b);
 }
 
-/* Sorts the records by name and notes where each id begins. */
 void records_sort(clast_world *w) {
     record_list *r = &w->records;
-    if (r->count > 1) qsort(r->items, r->count, sizeof *r->items, by_name);
-    size_t ids = (size_t)w->next_id + 1;
-    if (ids > r->first_capacity) {
-        r->first = memory_grow(w, r->first, r->first_capacity, ids + ids / 2, sizeof *r->first);
-        r->first_capacity = ids + ids / 2;
-    }
-    size_t place = 0;
-    for (uint32_t id = 0; id <= w->next_id; id++) {
-        while (place < r->count && r->items[place].a < id) place++;
-        r->first[id] = place;
-    }
+    if (r->count > 1) qsort(r->items, r->count, sizeof *r->items, record_compare);
 }
 
-void records_reserve(clast_world *w, size_t count) {
+/* ---- by place, while lists are built --------------------------------------------------------- */
+
+static bool is_alive(const clast_world *w, const contact_record *r) {
+    if (w->slot_of_id[r->a] < 0) return false;
+    return r->b >= CLAST_WALL_ID || w->slot_of_id[r->b] >= 0;
+}
+
+/* The sphere under which the contact stands: the one of lower index. */
+static size_t place_of(const clast_world *w, const contact_record *r) {
+    size_t a = first_sphere(w, (size_t)w->slot_of_id[r->a]) + (size_t)r->sphere_a;
+    if (r->b >= CLAST_WALL_ID) return a;
+    size_t b = first_sphere(w, (size_t)w->slot_of_id[r->b]) + (size_t)r->sphere_b;
+    return a < b ? a : b;
+}
+
+static void reserve_places(clast_world *w) {
     record_list *r = &w->records;
-    if (count <= r->capacity) return;
-    size_t now = count + count / 2 + 64;
-    r->items = memory_grow(w, r->items, r->capacity, now, sizeof *r->items);
-    r->capacity = now;
+    size_t spheres = w->sphere_count + 2;
+    if (spheres > r->first_capacity) {
+        r->first = memory_grow(w, r->first, r->first_capacity, spheres, sizeof *r->first);
+        r->first_capacity = spheres;
+    }
+    if (r->count > r->order_capacity) {
+        r->order = memory_grow(w, r->order, r->order_capacity, r->count, sizeof *r->order);
+        r->order_capacity = r->count;
+    }
 }
 
-/* Fills w->records with the contacts that touch. */
-void records_collect(clast_world *w) {
-    const pair_list *l = &w->list;
-    size_t count = 0;
-    for (size_t c = 0; c < l->candidates.count; c++) count += l->candidates.touching[c];
-    records_reserve(w, count);
-    w->records.count = 0;
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++)
-            if (l->candidates.touching[c])
-                w->records.items[w->records.count++] = record_of(w, &l->pairs[p], c);
-    records_sort(w);
-}
-
-static const contact_record *find(const clast_world *w, const contact_record *name) {
-    const record_list *r = &w->records;
-    if (r->count == 0 || name->a >= w->next_id) return NULL;
-    for (size_t i = r->first[name->a]; i < r->first[name->a + 1]; i++)
-        if (by_name(&r->items[i], name) == 0) return &r->items[i];
-    return NULL;
-}
-
-/* Puts the records back into a new list. A record without a place (its wall or body is gone) ends
- * here. */
-void records_apply(clast_world *w) {
-    pair_list *l = &w->list;
-    for (size_t p = 0; p < l->pair_count; p++)
-        for (size_t c = l->pairs[p].first; c < l->pairs[p + 1].first; c++) {
-            contact_record name = record_of(w, &l->pairs[p], c);
-            const contact_record *old = find(w, &name);
-            if (!old) continue;
-            l->candidates.histories[c] = old->history;
-            l->candidates.touching[c] = 1;
-        }
+/* Sorts the places of the records by sphere; a record whose body is gone ends here. Needs rows laid
+ * out. */
+void records_place(clast_world *w) {
+    record_list *r = &w->records;
+    reserve_places(w);
+    for (size_t i = 0; i < w->sphere_count + 2; i++) r->first[i] = 0;
+    for (size_t k = 0; k < r->count; k++)
+        if (is_alive(w, &r->items[k])) r->first[place_of(w, &r->items[k]) + 2]++;
+    for (size_t i = 2; i < w->sphere_count + 2; i++) r->first[i] += r->first[i - 1];
+    for (size_t k = 0; k < r->count; k++)
+        if (is_alive(w, &r->items[k]))
+            r->order[r->first[place_of(w, &r->items[k]) + 1]++] = (uint32_t)k;
 }

@@ -52,8 +52,10 @@ static double speed_at_release(const gsl_odeiv2_system *system, gsl_odeiv2_step 
         y[0] = before[0], y[1] = before[1];
         gsl_odeiv2_step_reset(stepper);
         gsl_odeiv2_step_apply(stepper, 0, middle, y, error, NULL, NULL, system);
-        if (y[1] < 0 && force(system->params, y) <= 0) high = middle;
-        else low = middle;
+        if (y[1] < 0 && force(system->params, y) <= 0)
+            high = middle;
+        else
+            low = middle;
     }
     return -y[1];
 }

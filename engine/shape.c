@@ -35,7 +35,9 @@ static vec3 inertia_of(const clast_shape_def *d, double density, double mass) {
     return v3_scale(mass / solid, sum);
 }
 
-static double cube(double r) { return r * r * r; }
+static double cube(double r) {
+    return r * r * r;
+}
 
 static double size_of(const clast_shape_def *d) {
     double size = 0;
@@ -107,18 +109,18 @@ int clast_shape_add(clast_world *w, const clast_shape_def *d) {
     int n = w->shape_count;
     w->shapes = memory_grow(w, w->shapes, (size_t)n, (size_t)n + 1, sizeof *w->shapes);
     shape *s = &w->shapes[n];
-    *s = (shape){.name = memory_text(w, d->name), .material = d->material, .spheres = d->spheres,
-                 .mass = mass, .inertia = inertia, .outline_points = d->outline_points,
+    *s = (shape){.name = memory_text(w, d->name),
+                 .material = d->material,
+                 .spheres = d->spheres,
+                 .mass = mass,
+                 .inertia = inertia,
+                 .outline_points = d->outline_points,
                  .round_inertia = inertia.x == inertia.y && inertia.y == inertia.z};
     s->inverse_mass = 1 / mass;
     s->inverse_inertia = v3(1 / inertia.x, 1 / inertia.y, 1 / inertia.z);
     s->centre = memory_copy(w, d->centre, (size_t)d->spheres, sizeof *s->centre);
     s->radius = memory_copy(w, d->radius, (size_t)d->spheres, sizeof *s->radius);
     s->outline = memory_copy(w, d->outline, 2 * (size_t)d->outline_points, sizeof *s->outline);
-    for (int axis = 0; axis < 3; axis++) {
-        s->offset[axis] = memory_grow(w, NULL, 0, (size_t)d->spheres, sizeof(double));
-        for (int i = 0; i < d->spheres; i++) s->offset[axis][i] = v3_at(s->centre[i], axis);
-    }
     for (int i = 0; i < d->spheres; i++) {
         double arm = v3_norm(s->centre[i]);
         if (arm > s->arm) s->arm = arm;

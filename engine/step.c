@@ -16,7 +16,10 @@ static void choose_sizes(clast_world *w) {
         for (int k = 0; k < s->spheres; k++)
             if (s->radius[k] < w->smallest_radius) w->smallest_radius = s->radius[k];
     }
-    w->skin = w->def.skin > 0 ? w->def.skin : 0.1 * w->smallest_radius;
+    w->skin = w->def.skin > 0 ? w->def.skin : 0.15 * w->smallest_radius;
+    w->margin = 0.02 * w->smallest_radius < w->skin ? 0.02 * w->smallest_radius : w->skin;
+    bool plane = w->def.motion == CLAST_MOTION_IN_PLANE;
+    for (int k = 0; k < 3; k++) w->axes[k] = plane ? (w->def.plane_axis + 1 + k) % 3 : k;
 }
 
 static size_t sphere_count(const clast_world *w) {
@@ -30,12 +33,7 @@ static size_t sphere_count(const clast_world *w) {
 static void choose_threads(clast_world *w) {
     size_t useful = sphere_count(w) / SPHERES_PER_THREAD, cores = (size_t)parallel_max_threads();
     size_t n = useful < 1 ? 1 : useful < cores ? useful : cores;
-    w->threads = w->def.threads > 0 ? w->def.threads : (int)n;
-    size_t threads = (size_t)w->threads, parts = (size_t)w->part_count;
-    memory_release(w->tallies), memory_release(w->tally_work), memory_release(w->body_tallies);
-    w->tallies = memory_grow(w, NULL, 0, threads, sizeof *w->tallies);
-    w->tally_work = memory_grow(w, NULL, 0, threads * parts + 1, sizeof *w->tally_work);
-    w->body_tallies = memory_grow(w, NULL, 0, threads, sizeof *w->body_tallies);
+    shares_make(w, w->def.threads > 0 ? w->def.threads : (int)n);
 }
 
 static bool shape_is_of(const clast_world *w, int m) {
@@ -76,17 +74,17 @@ static clast_status check_plane(clast_world *w) {
     const body_store *b = &w->bodies;
     for (size_t i = 0; i < b->count; i++) {
         double across = v3_at(v3(b->vx[i], b->vy[i], b->vz[i]), w->def.plane_axis);
-        vec3 spin = v3(b->wx[i], b->wy[i], b->wz[i]);
+        vec3 spin = v3(b->lx[i], b->ly[i], b->lz[i]);
         double about = v3_at(spin, w->def.plane_axis);
         if (across != 0)
             return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
-                              "body %u moves across the plane of motion", b->id[i]);
+                                            "body %u moves across the plane of motion", b->id[i]);
         if (v3_dot(spin, spin) != about * about)
             return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
-                              "body %u spins out of the plane of motion", b->id[i]);
+                                            "body %u spins out of the plane of motion", b->id[i]);
         if (!plane_is_principal(w, i))
-            return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
-                              "body %u is tilted out of the plane of motion", b->id[i]);
+            return (clast_status)world_fail(
+                w, CLAST_ERR_ARGUMENT, "body %u is tilted out of the plane of motion", b->id[i]);
     }
     return CLAST_OK;
 }
@@ -100,7 +98,9 @@ static clast_status prepare_checked(clast_world *w) {
     if (s) return s;
     choose_sizes(w);
     choose_threads(w);
-    contacts_choose_kernel(w);
+    special_choose(w);
+    special_choose_kernels(w);
+    special_choose_scale(w);
     return timestep_choose(w);
 }
 
@@ -111,15 +111,16 @@ clast_status clast_world_prepare(clast_world *w) {
     if (s) return s;
     walls_link(w);
     walls_move(w);
-    records_sort(w); /* bodies may have been added after inherited ones */
-    pairs_rebuild(w);
+    lists_rebuild(w);
     s = guards_check_start(w);
     if (s) return s;
     w->prepared = true;
     w->contact_dt = 0;
     contacts_evaluate(w); /* books nothing: no time has passed */
     ledger_set_scale(w);
+    contacts_restore(w); /* the same forces; sums in the ledger's quanta */
     velocities_start(w);
+    rows_fill(w, 0, w->bodies.count);
     w->contact_dt = w->dt;
     ledger_start(w);
     return CLAST_OK;
@@ -134,16 +135,25 @@ static void lap(double *since, double *into) {
 }
 
 /* Contacts whose partner has left take their elastic energy along. */
-static clast_status refresh_neighbours(clast_world *w) {
-    if (!w->list.stale && !w->found.outside) return CLAST_OK;
+static clast_status rebuild(clast_world *w) {
     bool leaving = w->found.outside || w->parts_changed;
     stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
     records_collect(w);
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
     if (s) return s;
-    pairs_rebuild(w);
+    lists_rebuild(w);
     if (leaving) ledger_remove_contacts(w, before);
     w->parts_changed = false;
+    return CLAST_OK;
+}
+
+static clast_status refresh_neighbours(clast_world *w) {
+    double way = w->found.way > w->wall_way ? w->found.way : w->wall_way;
+    w->way_reach += way;
+    w->way_contacts += way;
+    bool far = !(2 * w->way_reach < w->skin);
+    if (w->stale || far || w->found.outside) return rebuild(w);
+    if (!(2 * w->way_contacts < w->margin)) lists_refresh(w);
     return CLAST_OK;
 }
 
@@ -154,15 +164,15 @@ clast_status clast_world_step(clast_world *w) {
     clast_counters *c = &w->counters;
     double clock = world_seconds();
 
-    bodies_advance(w);                 /* gather f(n), kick, drift: x(n+1), v(n+1/2) */
+    bodies_advance(w); /* gather f(n), kick, drift: x(n+1), v(n+1/2) */
     w->step++;
     lap(&clock, &c->seconds_bodies);
     walls_move(w);
     lap(&clock, &c->seconds_walls);
-    s = refresh_neighbours(w);         /* if something has moved half the skin, or left */
+    s = refresh_neighbours(w); /* if something has moved half the skin, or left */
     lap(&clock, &c->seconds_neighbours);
     if (s) return s;
-    contacts_evaluate(w);              /* narrow phase, law, sums per pair: f(n+1) */
+    contacts_evaluate(w); /* narrow phase, law, sums per pair: f(n+1) */
     lap(&clock, &c->seconds_contacts);
     s = guards_check(w);
     lap(&clock, &c->seconds_measure);

@@ -37,6 +37,8 @@ static inline void sum_merge(exact_sum *into, const exact_sum *from) {
     into->fine += from->fine;
 }
 
-static inline double sum_value(const exact_sum *s) { return s->coarse + s->fine; }
+static inline double sum_value(const exact_sum *s) {
+    return s->coarse + s->fine;
+}
 
 #endif

@@ -30,6 +30,7 @@ static const char *fault_of(const clast_world *w, int part_index, const clast_wa
     if (!(fabs(v3_dot(belt, d->normal)) <= 1e-6 * v3_norm(belt) * v3_norm(d->normal)))
         return "has a belt velocity that is not along its surface";
     if (d->kind == CLAST_WALL_PLANE) return NULL;
+    if (d->kind != CLAST_WALL_PLATE) return "is of a kind that comes with a mesh alone";
     if (!(d->half_side[0] > 0 && d->half_side[1] > 0)) return "has a side that is not above zero";
     if (!isfinite(d->half_side[0] + d->half_side[1])) return "has a side that is not finite";
     double along = v3_norm(d->side);
@@ -39,6 +40,20 @@ static const char *fault_of(const clast_world *w, int part_index, const clast_wa
     return NULL;
 }
 
+wall *wall_new(clast_world *w, int part_index, const clast_wall_def *def) {
+    if (w->wall_count == w->wall_room) {
+        int now = 2 * w->wall_room + 4;
+        w->walls = memory_grow(w, w->walls, (size_t)w->wall_room, (size_t)now, sizeof *w->walls);
+        w->wall_room = now;
+    }
+    wall *l = &w->walls[w->wall_count++];
+    *l = (wall){.name = memory_text(w, def->name), .part = part_index, .def = *def};
+    l->def.name = l->name;
+    l->n = v3_scale(1 / v3_norm(def->normal), def->normal);
+    l->point = def->point;
+    return l;
+}
+
 int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
     CLAST_ASSERT(w && def && !w->prepared);
     const char *fault = fault_of(w, part_index, def);
@@ -46,24 +61,23 @@ int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
         return world_fail(w, CLAST_ERR_ARGUMENT, "wall %s %s", def->name ? def->name : "?", fault),
                -1;
     int n = w->wall_count;
-    w->walls = memory_grow(w, w->walls, (size_t)n, (size_t)n + 1, sizeof *w->walls);
-    wall *l = &w->walls[n];
-    *l = (wall){.name = memory_text(w, def->name), .part = part_index, .def = *def};
-    l->n = v3_scale(1 / v3_norm(def->normal), def->normal);
+    wall *l = wall_new(w, part_index, def);
     if (def->kind == CLAST_WALL_PLATE) {
         l->u = v3_scale(1 / v3_norm(def->side), def->side);
         l->v = v3_cross(l->n, l->u);
+        double a = def->half_side[0], b = def->half_side[1];
+        l->bound = a + b;
+        l->half_box = v3(a * fabs(l->u.x) + b * fabs(l->v.x), a * fabs(l->u.y) + b * fabs(l->v.y),
+                         a * fabs(l->u.z) + b * fabs(l->v.z));
     }
-    l->def.name = l->name;
     l->def.normal = l->n;
     l->def.side = l->u;
-    l->point = def->point;
-    w->wall_count++;
     return n;
 }
 
 /* Two plates in one plane whose rectangles touch or overlap. */
 static bool are_coplanar(const wall *a, const wall *b) {
+    if (a == b || a->def.kind != CLAST_WALL_PLATE || b->def.kind != CLAST_WALL_PLATE) return false;
     double size =
         a->def.half_side[0] + a->def.half_side[1] + b->def.half_side[0] + b->def.half_side[1];
     if (!(fabs(fabs(v3_dot(a->n, b->n)) - 1) < 1e-12)) return false;
@@ -71,17 +85,32 @@ static bool are_coplanar(const wall *a, const wall *b) {
     return fabs(v3_dot(between, a->n)) < 1e-9 * size && v3_norm(between) <= size;
 }
 
+void wall_join(clast_world *w, int i, int j) {
+    wall *l = &w->walls[i];
+    for (int k = 0; k < l->joined_count; k++)
+        if (l->joined[k] == j) return;
+    if (l->joined_count == l->joined_room) {
+        int now = 2 * l->joined_room + 4;
+        l->joined =
+            memory_grow(w, l->joined, (size_t)l->joined_room, (size_t)now, sizeof *l->joined);
+        l->joined_room = now;
+    }
+    l->joined[l->joined_count++] = j;
+}
+
 /* An edge between two such plates is no edge: the narrow phase asks this list. */
 void walls_link(clast_world *w) {
-    for (int i = 0; i < w->wall_count; i++) {
-        wall *a = &w->walls[i];
-        a->coplanar_count = 0;
-        a->coplanar = memory_grow(w, a->coplanar, 0, (size_t)w->wall_count, sizeof *a->coplanar);
+    for (int i = 0; i < w->wall_count; i++)
         for (int j = 0; j < w->wall_count; j++)
-            if (i != j && a->def.kind == CLAST_WALL_PLATE &&
-                w->walls[j].def.kind == CLAST_WALL_PLATE && are_coplanar(a, &w->walls[j]))
-                a->coplanar[a->coplanar_count++] = j;
-    }
+            if (are_coplanar(&w->walls[i], &w->walls[j])) wall_join(w, i, j);
+}
+
+/* The box around a plate or patch; a plane has none. */
+bool wall_box(const wall *l, vec3 *low, vec3 *high) {
+    if (l->def.kind == CLAST_WALL_PLANE) return false;
+    vec3 half = v3(l->half_box.x, l->half_box.y, l->half_box.z);
+    *low = v3_sub(l->point, half), *high = v3_add(l->point, half);
+    return true;
 }
 
 /* Seconds that a part has been moving until t. */
@@ -94,22 +123,26 @@ static bool is_moving(const clast_part_def *d, double t) {
     return t >= d->move_from && !(d->move_until > 0 && t >= d->move_until);
 }
 
+static void move_part(clast_world *w, part *p, double t) {
+    bool present = !(p->def.removed_at > 0 && t >= p->def.removed_at);
+    if (present != p->present) w->stale = w->parts_changed = true;
+    p->present = present;
+    vec3 before = p->offset;
+    p->offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
+    p->velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
+    double way = v3_norm(v3_sub(p->offset, before));
+    if (way > w->wall_way) w->wall_way = way;
+}
+
 /* Puts every part where it is now. Positions are functions of time, never sums of steps. */
 void walls_move(clast_world *w) {
     double t = (double)w->step * w->dt;
-    for (int i = 0; i < w->part_count; i++) {
-        part *p = &w->parts[i];
-        bool present = !(p->def.removed_at > 0 && t >= p->def.removed_at);
-        if (present != p->present) w->list.stale = w->parts_changed = true;
-        p->present = present;
-        p->offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
-        p->velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
-        vec3 way = v3_sub(p->offset, p->built_offset);
-        if (present && !(4 * v3_dot(way, way) < w->skin * w->skin)) w->list.stale = true;
-    }
+    w->wall_way = 0;
+    for (int i = 0; i < w->part_count; i++) move_part(w, &w->parts[i], t);
     for (int i = 0; i < w->wall_count; i++) {
         wall *l = &w->walls[i];
-        l->point = v3_add(l->def.point, w->parts[l->part].offset);
-        l->surface_velocity = v3_add(w->parts[l->part].velocity, l->def.belt_velocity);
+        const part *p = &w->parts[l->part];
+        l->point = v3_add(l->def.point, p->offset);
+        l->surface_velocity = v3_add(p->velocity, l->def.belt_velocity);
     }
 }

@@ -29,7 +29,9 @@ clast_world_def clast_world_def_default(void) {
 
 static const char *new_error;
 
-const char *clast_world_new_error(void) { return new_error ? new_error : ""; }
+const char *clast_world_new_error(void) {
+    return new_error ? new_error : "";
+}
 
 static const char *fault_of(const clast_world_def *d) {
     vec3 lo = d->domain_min, hi = d->domain_max;
@@ -51,6 +53,8 @@ static const char *fault_of(const clast_world_def *d) {
         return "a guard's limit is not above zero";
     if (!(d->skin >= 0)) return "skin is below zero";
     if (!isfinite(d->skin)) return "skin is not finite";
+    if (d->precision != CLAST_PRECISION_DOUBLE && d->precision != CLAST_PRECISION_MIXED)
+        return "precision is not one of the two";
     if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
     return NULL;
 }
@@ -71,34 +75,26 @@ static void free_scene(clast_world *w) {
     for (int i = 0; i < w->shape_count; i++) {
         shape *s = &w->shapes[i];
         free(s->name), free(s->centre), free(s->radius), free(s->outline);
-        for (int axis = 0; axis < 3; axis++) free(s->offset[axis]);
     }
     for (int i = 0; i < w->part_count; i++) free(w->parts[i].name);
-    for (int i = 0; i < w->wall_count; i++) free(w->walls[i].name), free(w->walls[i].coplanar);
+    for (int i = 0; i < w->wall_count; i++)
+        free(w->walls[i].name), free(w->walls[i].joined), free(w->walls[i].patch.corner);
     free(w->materials), free(w->shapes), free(w->parts), free(w->walls), free(w->coefs);
-}
-
-static void free_list(pair_list *l) {
-    candidate_store *c = &l->candidates;
-    free(c->a), free(c->b), free(c->radius), free(c->histories), free(c->touching);
-    free(l->pairs), free(l->forces), free(l->incidences), free(l->incidence_first);
-    free(l->block_first), free(l->partners);
 }
 
 void clast_world_free(clast_world *w) {
     if (!w) return;
     free_scene(w);
-    free_list(&w->list);
+    shares_free(w);
 #define X(type, name) free(w->bodies.name);
     BODY_COLUMNS(X)
 #undef X
-    sphere_store *s = &w->spheres;
-    free(s->x), free(s->y), free(s->z), free(s->radius), free(s->body), free(s->first);
-    free(w->built);
-    free(w->records.items), free(w->records.first), free(w->slot_of_id);
-    free(w->tallies), free(w->tally_work), free(w->body_tallies);
+    row_store *r = &w->rows;
+    free(r->motion), free(r->loads), free(r->centre), free(r->arm), free(r->body), free(r->first);
+    free(w->records.items), free(w->records.first), free(w->records.order), free(w->slot_of_id);
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);
     free(w->view.wx), free(w->view.wy), free(w->view.wz);
+    free(w->view.sx), free(w->view.sy), free(w->view.sz), free(w->view.radius), free(w->view.body);
     free(w->cells.cell_of), free(w->cells.cell_first), free(w->cells.order), free(w->cells.permute);
     free(w);
 }
@@ -175,6 +171,11 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
         .cohesion = d->cohesion,
         .restitution = d->restitution,
     };
+    bool linear = w->def.law == CLAST_LAW_LINEAR;
+    c.k_normal = linear ? c.stiffness : 2 * c.e_star;
+    c.k_tangent = linear ? c.tangential : 8 * c.g_star;
+    c.c_normal = 2 * c.damping * sqrt(c.k_normal);
+    c.c_tangent = 2 * c.damping * sqrt(c.k_tangent);
     w->coefs[a * w->material_count + b] = w->coefs[b * w->material_count + a] = c;
     return CLAST_OK;
 }
@@ -185,5 +186,8 @@ clast_status clast_pair_set_friction(clast_world *w, int a, int b, double fricti
         return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "friction is below zero");
     w->coefs[a * w->material_count + b].friction = friction;
     w->coefs[b * w->material_count + a].friction = friction;
+    if (!w->prepared) return CLAST_OK;
+    special_choose(w);
+    if (!w->special.tangent) contacts_forget_springs(w);
     return CLAST_OK;
 }

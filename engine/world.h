@@ -2,9 +2,16 @@
  *
  * Bodies move; their state lives in columns declared in ONE list, which drives store, sort,
  * checkpoint and hash. Velocities are those of the half step before the positions (leapfrog).
- * Element spheres are derived from body pose and shape at every step.
- * A pair is a body with a body or a wall within reach; a candidate is a pair of element spheres (or
- * a sphere and a wall) of a pair. Candidates carry the contact's history in place.
+ * What the contact pass reads of a body stands in rows of one cache line, derived at every step:
+ * centres of its element spheres, velocity and spin. What it writes are loads: sums of forces and
+ * torques in 64-bit fixed point, which have no order (loads.h).
+ * Two lists lead to the contacts. The reach list holds the pairs of spheres within the skin and is
+ * rebuilt when something has moved half of it; the contact list holds those of them that touch or
+ * nearly touch and is refreshed, from the reach list, much more often. Contacts carry their history
+ * in place. Every thread owns a range of bodies with their lists: a share.
+ *
+ * The kernel frame: for motion in a plane the rows, loads and histories have the axis of the plane
+ * as third coordinate (a cyclic change of names); everywhere else it is the world frame.
  */
 #ifndef CLAST_WORLD_H
 #define CLAST_WORLD_H
@@ -14,28 +21,24 @@
 #include "engine/sum.h"
 #include "engine/vec.h"
 
-/* ---- columns ----------------------------------------------------------------------------------
- */
+/* ---- columns --------------------------------------------------------------------------------- */
 
-#define BODY_COLUMNS(X)                                                     \
-    X(uint32_t, id)      /* stable name of the body */                      \
-    X(int32_t, shape)    /* index into shapes */                            \
-    X(double, x)         /* m, centre of mass */                            \
-    X(double, y)                                                            \
-    X(double, z)                                                            \
-    X(double, qw)        /* orientation, body to world */                   \
-    X(double, qx)                                                           \
-    X(double, qy)                                                           \
-    X(double, qz)                                                           \
-    X(double, vx)        /* m/s, at the half step before the position */    \
-    X(double, vy)                                                           \
-    X(double, vz)                                                           \
-    X(double, lx)        /* J s, angular momentum, world frame, likewise */ \
-    X(double, ly)                                                           \
-    X(double, lz)                                                           \
-    X(double, wx)        /* rad/s, spin that goes with l */                 \
-    X(double, wy)                                                           \
-    X(double, wz)
+#define BODY_COLUMNS(X)                                                                            \
+    X(uint32_t, id)   /* stable name of the body */                                                \
+    X(int32_t, shape) /* index into shapes */                                                      \
+    X(double, x)      /* m, centre of mass */                                                      \
+    X(double, y)                                                                                   \
+    X(double, z)                                                                                   \
+    X(double, qw) /* orientation, body to world */                                                 \
+    X(double, qx)                                                                                  \
+    X(double, qy)                                                                                  \
+    X(double, qz)                                                                                  \
+    X(double, vx) /* m/s, at the half step before the position */                                  \
+    X(double, vy)                                                                                  \
+    X(double, vz)                                                                                  \
+    X(double, lx) /* J s, angular momentum, world frame, likewise */                               \
+    X(double, ly)                                                                                  \
+    X(double, lz)
 
 typedef struct body_store {
     size_t count, capacity;
@@ -44,18 +47,42 @@ typedef struct body_store {
 #undef X
 } body_store;
 
-/* Pose of a body when the pair list was built. */
-typedef struct built_pose {
-    double x, y, z, qw, qx, qy, qz;
-    double arm; /* m, from the centre of mass to the farthest centre of a sphere */
-} built_pose;
+/* ---- rows of the contact pass, kernel frame -------------------------------------------------- */
 
-typedef struct sphere_store {
-    size_t count, capacity;
-    double *x, *y, *z, *radius;
-    int32_t *body;                       /* slot */
-    size_t *first;                       /* first sphere of each body, count of bodies + 1 */
-} sphere_store;
+enum { LINE = 64 }; /* bytes of a cache line */
+
+typedef struct centre_row {
+    double x, y, z, radius; /* m */
+} centre_row;
+
+typedef struct motion_row {
+    double v[3]; /* m/s */
+    double w[3]; /* rad/s */
+    double mass; /* kg */
+    int64_t material;
+} motion_row;
+
+typedef struct load_row {
+    int64_t force[3], torque[3]; /* fixed point, torque about the centre of mass */
+    int64_t spare[2];
+} load_row;
+
+typedef struct row_store {
+    size_t bodies, spheres; /* room */
+    motion_row *motion;     /* per body */
+    load_row *loads;        /* per body; zero between the kick and the contact pass */
+    centre_row *centre;     /* per sphere */
+    vec3 *arm;              /* per sphere: from the centre of mass; worlds of clumps alone */
+    int32_t *body;          /* per sphere: slot; worlds of clumps alone */
+    uint32_t *first;        /* per body and one more: its first sphere; worlds of clumps alone */
+} row_store;
+
+/* Quanta of the loads. A contact's force is at most limit; the sums wrap beyond four of them. */
+typedef struct load_scale {
+    double force, torque; /* quanta per N, per N m: powers of two */
+    double force_quantum, torque_quantum;
+    double limit; /* quanta */
+} load_scale;
 
 /* ---- what a scene is made of ----------------------------------------------------------------- */
 
@@ -67,24 +94,25 @@ typedef struct material {
 /* Everything a contact law needs that depends on the two materials only. */
 typedef struct pair_coef {
     bool set;
-    double e_star, g_star;            /* Pa; 1/E* = sum (1-nu^2)/E, 1/G* = sum (2-nu)/G */
-    double stiffness, tangential;     /* N/m, linear law */
-    double damping;                   /* ratio, solved for the restitution */
+    double e_star, g_star;        /* Pa; 1/E* = sum (1-nu^2)/E, 1/G* = sum (2-nu)/G */
+    double stiffness, tangential; /* N/m, linear law */
+    double damping;               /* ratio, solved for the restitution */
     double friction, cohesion, restitution;
+    double k_normal, k_tangent; /* per a = sqrt(R d): 2 E*, 8 G* in Pa; linear: N/m */
+    double c_normal, c_tangent; /* dashpots per sqrt(a m): 2 ratio sqrt(k) */
 } pair_coef;
 
 typedef struct shape {
     char *name;
     int material, spheres, outline_points;
     vec3 *centre;
-    double *offset[3]; /* the centres again, by coordinate */
     double *radius, *outline;
-    double mass, bound;   /* bound: radius of the bounding sphere about the centre of mass */
-    double arm;           /* farthest centre of a sphere from the centre of mass */
+    double mass, bound; /* bound: radius of the bounding sphere about the centre of mass */
+    double arm;         /* farthest centre of a sphere from the centre of mass */
     vec3 inertia;
     double inverse_mass;
     vec3 inverse_inertia;
-    bool round_inertia;   /* three equal moments: spin and angular momentum are parallel */
+    bool round_inertia; /* three equal moments: spin and angular momentum are parallel */
 } shape;
 
 typedef struct part {
@@ -92,117 +120,130 @@ typedef struct part {
     clast_part_def def;
     bool present;
     vec3 offset, velocity; /* now */
-    vec3 built_offset;     /* when the pair list was built */
+    double power;          /* W, on the bodies at the last evaluation */
     double work_total;     /* J, done on the bodies so far */
 } part;
+
+/* The triangles of a flat piece of a mesh, in the plane of its wall: coordinates along u and v. */
+typedef struct patch {
+    int triangles;
+    double *corner; /* m, from the wall's point: 3 x (u, v) per triangle */
+} patch;
 
 typedef struct wall {
     char *name;
     int part;
     clast_wall_def def;    /* at t = 0 */
-    vec3 u, v, n;          /* plate: sides and normal */
+    vec3 u, v, n;          /* plate, patch: sides and normal */
     vec3 point;            /* now */
     vec3 surface_velocity; /* now: part and belt */
-    int *coplanar;         /* plates in the same plane that share a border with this one */
-    int coplanar_count;
+    double bound;          /* m, plate, patch: radius about the point that holds it all */
+    vec3 half_box;         /* m, of the box about the point, likewise */
+    patch patch;
+    int *joined; /* plates or patches that share a border with this one */
+    int joined_count, joined_room;
 } wall;
 
-/* ---- pairs and contacts ---------------------------------------------------------------------- */
+/* ---- lists ----------------------------------------------------------------------------------- */
 
-typedef struct pair {
-    int32_t a;         /* slot of the body with the lower id */
-    int32_t b;         /* slot of the other body, or -1 - wall */
-    int32_t coef;      /* index into coefs */
-    uint32_t first;    /* first candidate */
-    double mass;       /* kg, effective */
-} pair;
-
-typedef struct pair_force {
-    vec3 force;        /* N, on a */
-    vec3 torque_a, torque_b; /* N m, about the two centres of mass */
-    int touching;      /* number of candidates that touch */
-} pair_force;
-
-/* What a contact remembers. overlap > 0 means that it touched at the last evaluation. */
+/* What a contact remembers, world frame, as seen by a. overlap > 0: it touched when last evaluated.
+ */
 typedef struct history {
     double overlap; /* m */
+    double normal;  /* N, elastic and dashpot */
     vec3 spring;    /* N, tangential spring force on a */
-    vec3 force;     /* N, whole force on a at the last evaluation */
 } history;
 
-/* Candidates are columns, for the vector lanes of the narrow phase. */
-typedef struct candidate_store {
+enum { HISTORY_COLUMNS = 5 }; /* overlap, normal, spring in the kernel frame */
+
+/* Pairs that touch or nearly touch, sorted by a. Columns of double, or of float in a world of mixed
+ * precision, with room for a whole batch behind the last. */
+typedef struct contact_list {
     size_t count, capacity;
-    int32_t *a, *b;          /* indices into spheres; b = -1 - wall */
-    double *radius;          /* m, effective */
-    history *histories;
-    unsigned char *touching; /* history.overlap > 0 */
-} candidate_store;
+    int32_t *a, *b; /* spheres, a < b; b is a wall in a list of walls */
+    void *column[HISTORY_COLUMNS];
+} contact_list;
 
-/* A body's side of a pair, for the gather; sorted by partner id, walls last. */
-typedef struct incidence {
-    uint32_t pair;
-    int32_t side; /* +1: the body is a, -1: it is b */
-} incidence;
+/* Spheres of higher index within the skin, sphere by sphere. */
+typedef struct reach_list {
+    size_t count, capacity, first_capacity, ahead_capacity;
+    int32_t *partner;
+    uint32_t *first; /* per sphere of the share and one more */
+    int32_t *ahead;  /* scratch: bodies ahead of one body */
+} reach_list;
 
-typedef struct partner {
-    uint32_t id;
-    int32_t slot;
-} partner;
-
-typedef struct pair_list {
-    size_t pair_count, pair_capacity;
-    pair *pairs;             /* body pairs in slot order of a, then walls; one more as a stop */
-    pair_force *forces;
-    candidate_store candidates;
-    size_t wall_pairs;       /* index of the first wall pair */
-    incidence *incidences;
-    size_t *incidence_first; /* per slot, count of bodies + 1 */
-    size_t incidence_capacity, slot_capacity;
-    size_t *block_first;     /* pair index where each block of the contact pass begins */
-    size_t block_count, block_capacity;
-    partner *partners;       /* scratch of the search, one body's at a time */
-    size_t partner_room;
-    bool stale;
-} pair_list;
-
-/* One touching contact by names instead of places: what survives a rebuild and goes into files. */
-typedef struct contact_record {
-    uint32_t a, b;                /* ids; b = CLAST_WALL_ID + wall */
-    int32_t sphere_a, sphere_b;   /* within the shapes */
-    history history;
-} contact_record;
-
-typedef struct record_list {
+typedef struct wall_reach {
     size_t count, capacity;
-    contact_record *items;
-    size_t *first; /* per id of a: first record; next_id + 1 entries */
-    size_t first_capacity;
-} record_list;
-
-/* ---- the contact kernel ---------------------------------------------------------------------- */
+    int32_t *sphere, *wall;
+} wall_reach;
 
 /* What one thread finds out during a contact pass. */
 typedef struct contact_tally {
-    exact_sum elastic, dashpot;  /* J, work of the normal forces */
-    exact_sum *part_work;        /* J, per part */
-    double overlap_max;          /* of the smaller radius; infinite when a force is not a number */
+    exact_sum elastic, dashpot; /* J, work of the normal forces */
+    double overlap_max;         /* of the smaller radius; infinite when a force is not a number or
+                                   too large for the loads */
     size_t contacts;
-    char pad[64];                /* threads do not share a cache line */
 } contact_tally;
 
 /* What one thread finds out while it moves bodies. */
 typedef struct body_tally {
     exact_sum global;  /* J, lost to global damping */
     exact_sum contact; /* J, work of the contact forces */
-    double step2_max;  /* m2, longest way of a sphere in this step, squared; infinite when not a
+    double way;        /* m, longest way of a point of a body in this step; infinite when not a
                           number */
-    bool stale, outside;
-    char pad[64];
+    bool outside;
 } body_tally;
 
-typedef void contact_kernel(clast_world *w, size_t block_begin, size_t block_end,
-                            contact_tally *tally);
+/* Per contact, for readers: filled on request by a contact pass that changes nothing. */
+typedef struct contact_report {
+    vec3 normal, force; /* kernel frame; normal from b to a, force on a */
+    double lever;       /* m, from the centre of a to the contact point */
+} contact_report;
+
+typedef struct share {
+    _Alignas(LINE) size_t body_begin;
+    size_t body_end, sphere_begin, sphere_end;
+    reach_list reach;
+    wall_reach wall_reach;
+    contact_list contacts, walls;
+    load_row *overhang; /* of bodies from body_end on that this share's contacts load */
+    size_t overhang_count, overhang_capacity;
+    contact_tally contact_tally;
+    body_tally body_tally;
+    exact_sum *part_power;                /* W, per part */
+    contact_report *report, *wall_report; /* when asked for, per contact */
+} share;
+
+/* One touching contact by names instead of places: what survives a rebuild and goes into files. */
+typedef struct contact_record {
+    uint32_t a, b;              /* ids; b = CLAST_WALL_ID + wall */
+    int32_t sphere_a, sphere_b; /* within the shapes */
+    history history;
+} contact_record;
+
+typedef struct record_list {
+    size_t count, capacity;
+    contact_record *items;
+    uint32_t *first, *order; /* records by the sphere of lower index: while lists are built */
+    size_t first_capacity, order_capacity;
+} record_list;
+
+/* ---- kernels --------------------------------------------------------------------------------- */
+
+/* again: forces of the state as it is, once more; changes nothing but loads. */
+typedef enum contact_mode { CONTACTS_ADVANCE, CONTACTS_AGAIN, CONTACTS_REPORT } contact_mode;
+typedef void contact_kernel(const clast_world *w, share *s, contact_mode mode);
+typedef void body_kernel(clast_world *w, share *s);
+
+/* What the kernels need not do in this scene. */
+typedef struct speciality {
+    bool flat;     /* centres and wall normals in one plane: no third coordinate */
+    bool clumps;   /* some body has several spheres, or one off its centre */
+    bool tangent;  /* friction or cohesion somewhere */
+    bool one_kind; /* all spheres alike: radius, mass, material */
+    bool one_material, one_shape;
+    bool round; /* all bodies have three equal moments */
+} speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
 typedef struct cell_grid {
@@ -213,13 +254,13 @@ typedef struct cell_grid {
 
 typedef struct ledger {
     sum_scale scale;
-    double work;                                 /* J, of the contact forces on all bodies so far */
-    double elastic, dashpot;                     /* J, of that by normal springs and dashpots */
-    double global, wall_work;                    /* J, so far */
-    double wall_input;                           /* J, of the wall work without sign, per step */
-    double start_tangential; /* J in tangential springs at step 0, less what has left */
-    double removed, removed_gravity;             /* J carried off: in all, and by height alone */
-    double start_total, start_gravity;           /* J at step 0 */
+    double work;                       /* J, of the contact forces on all bodies so far */
+    double elastic, dashpot;           /* J, of that by normal springs and dashpots */
+    double global, wall_work;          /* J, so far */
+    double wall_input;                 /* J, of the wall work without sign, per step */
+    double start_tangential;           /* J in tangential springs at step 0, less what has left */
+    double removed, removed_gravity;   /* J carried off: in all, and by height alone */
+    double start_total, start_gravity; /* J at step 0 */
 } ledger;
 
 struct clast_world {
@@ -233,37 +274,43 @@ struct clast_world {
     part *parts;
     wall *walls;
     pair_coef *coefs; /* material_count squared */
-    int material_count, shape_count, part_count, wall_count;
+    int material_count, shape_count, part_count, wall_count, wall_room;
 
     body_store bodies;
-    sphere_store spheres;
-    built_pose *built; /* per slot */
-    size_t built_capacity;
-    pair_list list;
+    row_store rows;
+    size_t sphere_count;
+    load_scale load_scale;
+    share *shares; /* one per thread */
+    int threads;
     record_list records;
     uint32_t next_id;
     int32_t *slot_of_id; /* -1 = gone */
     size_t slot_of_id_capacity;
+    int axes[3]; /* world axis of each axis of the kernel frame */
 
-    contact_kernel *kernel;
+    speciality special;
+    contact_kernel *contact_kernel;
+    body_kernel *body_kernel;
     const char *isa_name;
-    int threads;
-    double skin, smallest_radius, largest_bound;
+    double smallest_radius, largest_bound;
+    double skin, margin;                  /* m, of the reach list and of the contact list */
+    double wall_way;                      /* m, that a part has moved in this step */
+    double way_reach, way_contacts;       /* m, that something has moved since they were made */
+    uint64_t steps_reach, steps_contacts; /* step when they were made */
+    bool stale;                           /* the reach list is */
     double overlap_now; /* of the smaller radius, largest at the last evaluation */
     double
         contact_dt; /* s, step that the springs of the current evaluation have been loaded over */
-    contact_tally *tallies;
-    body_tally *body_tallies, found;
-    exact_sum *tally_work;
+    body_tally found;
+    exact_sum *power_room;
     ledger ledger;
 
-    struct { /* synchronised velocities for readers */
+    struct { /* synchronised velocities and centres for readers */
         double *vx, *vy, *vz, *wx, *wy, *wz, *mass;
         size_t capacity;
-        double kinetic, rotational; /* J */
-        double half_global;         /* J, half of what global damping takes in the next kick */
-        double
-            work_arrived; /* J, the part of the next kick's work that belongs to the way so far */
+        double *sx, *sy, *sz, *radius;
+        int32_t *body;
+        size_t sphere_capacity;
     } view;
 
     struct { /* scratch of the neighbour search */
@@ -280,11 +327,34 @@ struct clast_world {
     char error[4096];
 };
 
+/* ---- frames ---------------------------------------------------------------------------------- */
+
+static inline vec3 to_kernel(const clast_world *w, vec3 a) {
+    return v3(v3_at(a, w->axes[0]), v3_at(a, w->axes[1]), v3_at(a, w->axes[2]));
+}
+
+static inline vec3 from_kernel(const clast_world *w, vec3 a) {
+    double world[3];
+    world[w->axes[0]] = a.x, world[w->axes[1]] = a.y, world[w->axes[2]] = a.z;
+    return v3(world[0], world[1], world[2]);
+}
+
+/* ---- places ---------------------------------------------------------------------------------- */
+
+static inline size_t body_of_sphere(const clast_world *w, size_t sphere) {
+    return w->special.clumps ? (size_t)w->rows.body[sphere] : sphere;
+}
+
+static inline size_t first_sphere(const clast_world *w, size_t slot) {
+    return w->special.clumps ? w->rows.first[slot] : slot;
+}
+
 /* ---- who does what --------------------------------------------------------------------------- */
 
 /* memory.c: growing arrays; all memory of a world is counted. Stops the program when there is none.
- */
+ * memory_lines() starts at a cache line, is not kept when it grows, and is zero. */
 void *memory_grow(clast_world *w, void *old, size_t old_count, size_t count, size_t size);
+void *memory_lines(clast_world *w, void *old, size_t old_bytes, size_t bytes);
 void *memory_copy(clast_world *w, const void *from, size_t count, size_t size);
 char *memory_text(clast_world *w, const char *text);
 void memory_release(void *p);
@@ -298,42 +368,85 @@ void world_complain(clast_world *w, const char *format, ...) __attribute__((form
 void body_reserve(clast_world *w, size_t count);
 void body_permute(clast_world *w, const uint32_t *order);
 void body_remove(clast_world *w, size_t slot);
-void spheres_layout(clast_world *w);
-void spheres_place(clast_world *w, size_t body_begin, size_t body_end);
 vec3 body_position(const clast_world *w, size_t slot);
 quat body_orientation(const clast_world *w, size_t slot);
 bool body_is_outside(const clast_world *w, size_t slot);
 vec3 body_spin_of(const clast_world *w, int32_t shape, quat q, vec3 angular_momentum);
+vec3 body_spin(const clast_world *w, size_t slot);
 
-/* wall.c */
+/* rows.c */
+void rows_layout(clast_world *w);
+void rows_fill(clast_world *w, size_t body_begin, size_t body_end);
+
+/* special.c */
+void special_choose(clast_world *w);
+void special_choose_kernels(clast_world *w);
+void special_choose_scale(clast_world *w);
+
+/* wall.c, mesh.c */
+wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
+void wall_join(clast_world *w, int wall, int other);
 void walls_link(clast_world *w);
 void walls_move(clast_world *w);
+bool wall_box(const wall *l, vec3 *low, vec3 *high);
 
-/* cells.c, pairs.c, records.c */
+/* cells.c, shares.c, reach.c, near.c, records.c */
 void cells_sort(clast_world *w, double reach);
-void pairs_rebuild(clast_world *w);
+void shares_make(clast_world *w, int threads);
+void shares_cut(clast_world *w);
+void shares_free(clast_world *w);
+void reach_build(clast_world *w, share *s);
+void lists_rebuild(clast_world *w);
+void lists_refresh(clast_world *w);
+void contact_reserve(clast_world *w, contact_list *l, size_t count);
+bool contact_touches(const clast_world *w, const contact_list *l, size_t k);
+history contact_history(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
+void contact_clear_spring(clast_world *w, contact_list *l, size_t k);
+contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
+int record_compare(const void *left, const void *right);
 void records_collect(clast_world *w);
-void records_apply(clast_world *w);
 void records_sort(clast_world *w);
 void records_reserve(clast_world *w, size_t count);
+void records_place(clast_world *w);
 
-/* contact.c: runs the kernel on all blocks, adds up tallies */
-void contacts_evaluate(clast_world *w);
-void contacts_restore(clast_world *w);
-void contacts_choose_kernel(clast_world *w);
+/* contact.c: runs the kernel on all shares, adds up tallies */
 typedef struct stored_energy {
     double normal, tangential; /* J */
 } stored_energy;
-stored_energy contact_stored_energy(const clast_world *w, const pair *p, size_t candidate);
+void contacts_evaluate(clast_world *w);
+void contacts_restore(clast_world *w);
+void contacts_forget_springs(clast_world *w);
 stored_energy contacts_stored_energy(const clast_world *w);
+
+/* One entry of a list of contacts. */
+typedef struct contact_place {
+    const contact_list *list;
+    size_t index;
+    bool with_wall;
+} contact_place;
+typedef void contact_visitor(const clast_world *w, const contact_place *at, void *context);
+void contacts_visit(const clast_world *w, contact_visitor *visit, void *context);
+stored_energy contact_stored_energy(const clast_world *w, const contact_place *at);
+double contact_smaller_radius(const clast_world *w, const contact_place *at);
+
+/* Records with what the law says of them now, in the order of names. */
+typedef struct contact_reading {
+    contact_record record;
+    vec3 point, normal, force; /* world frame; normal towards a, force on a */
+} contact_reading;
+size_t contacts_read(clast_world *w, contact_reading **readings); /* for free() */
 
 /* motion.c */
 void bodies_advance(clast_world *w);
 void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque);
-void plane_advance(clast_world *w, size_t slot, body_tally *tally);
-void plane_place_spheres(clast_world *w, size_t body_begin, size_t body_end);
 void velocities_start(clast_world *w);
 void velocities_synchronise(clast_world *w);
+typedef struct motion_books {
+    double kinetic, rotational; /* J */
+    double half_global;         /* J, half of what global damping takes in the next kick */
+    double work_arrived; /* J, the part of the next kick's work that belongs to the way so far */
+} motion_books;
+motion_books motion_balance(const clast_world *w);
 
 /* ledger.c, guard.c, timestep.c */
 void ledger_set_scale(clast_world *w);

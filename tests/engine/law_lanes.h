@@ -4,7 +4,20 @@
 
 #include "engine/contact_law.h"
 
-typedef void law_run(batch *b, law_choice choice, double dt);
+enum { NEEDS = 16 };
+
+/* A batch with its histories: overlap, normal force, spring. */
+typedef struct lanes {
+    batch b;
+    real history[HISTORY_COLUMNS][LANES];
+} lanes;
+
+static inline law_need need_of(int k) {
+    return (law_need){(k & 1) != 0, (k & 2) != 0, (k & 4) != 0, (k & 8) != 0};
+}
+
+/* Geometry and law over the first `count` lanes; need: bits as in need_of(). */
+typedef void law_run(lanes *l, int count, law_choice choice, int need);
 law_run law_run_scalar, law_run_baseline, law_run_avx2, law_run_avx512;
 
 #endif

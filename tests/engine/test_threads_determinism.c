@@ -101,7 +101,7 @@ static void any_order_of_storage(void **state) {
             if (n % 37 == 0) fail_msg("37 must not divide %zu", n);
             records_collect(w);
             body_permute(w, order);
-            pairs_rebuild(w);
+            lists_rebuild(w);
             contacts_restore(w);
             free(order);
         }
@@ -143,9 +143,9 @@ static void the_hash_sees_every_column(void **state) {
     BODY_COLUMNS(X)
 #undef X
     assert_true(clast_world_hash(w) == h);
-    for (size_t c = 0; c < w->list.candidates.count; c++)
-        if (w->list.candidates.touching[c]) {
-            w->list.candidates.histories[c].spring.y += 1e-12;
+    for (size_t c = 0; c < w->shares[0].contacts.count; c++)
+        if (contact_touches(w, &w->shares[0].contacts, c)) {
+            ((double *)w->shares[0].contacts.column[3])[c] += 1e-12;
             break;
         }
     assert_true(clast_world_hash(w) != h);

@@ -1,0 +1,160 @@
+/* body_kernel.c - moves the bodies of a share: loads into forces, kick, drift, rotation, rows for
+ * the next contact pass. Compiled once per instruction set (CLAST_BODY_KERNEL names the copy); the
+ * bits are the same in all of them. */
+#include "engine/body_lanes.h"
+#include "engine/rows.h"
+
+#ifndef CLAST_BODY_KERNEL
+#error "compile with -DCLAST_BODY_KERNEL=body_kernel_<isa>"
+#endif
+body_kernel CLAST_BODY_KERNEL;
+
+enum { BLOCK = 64 };
+
+/* Columns of one block of bodies that do not live in the store. */
+typedef struct block {
+    _Alignas(64) double load[6][BLOCK]; /* quanta: force, torque */
+    double w[3][BLOCK];                 /* rad/s, after the step */
+    double mass[BLOCK], inverse_mass[BLOCK], bound[BLOCK];
+    double inverse_inertia[3][BLOCK];
+} block;
+
+/* What a loop over lanes finds out. */
+typedef struct findings {
+    double work_coarse, work_fine, global_coarse, global_fine, way;
+    int outside, bad;
+} findings;
+
+static void load_shape(const clast_world *w, block *b, int i, const shape *s) {
+    vec3 inverse = to_kernel(w, s->inverse_inertia);
+    b->mass[i] = s->mass, b->inverse_mass[i] = s->inverse_mass, b->bound[i] = s->bound;
+    b->inverse_inertia[0][i] = inverse.x, b->inverse_inertia[1][i] = inverse.y;
+    b->inverse_inertia[2][i] = inverse.z;
+}
+
+/* ---- loads ----------------------------------------------------------------------------------- */
+
+static void add_row(load_row *to, const load_row *from) {
+    for (int k = 0; k < 3; k++) {
+        to->force[k] = (int64_t)((uint64_t)to->force[k] + (uint64_t)from->force[k]);
+        to->torque[k] = (int64_t)((uint64_t)to->torque[k] + (uint64_t)from->torque[k]);
+    }
+}
+
+/* What the contacts of the shares before this one have laid on its bodies. */
+static void add_overhangs(const clast_world *w, const share *s) {
+    for (const share *other = w->shares; other < s; other++) {
+        size_t from = s->body_begin > other->body_end ? s->body_begin : other->body_end;
+        size_t to = other->body_end + other->overhang_count;
+        if (to > s->body_end) to = s->body_end;
+        for (size_t i = from; i < to; i++) {
+            load_row *row = &other->overhang[i - other->body_end];
+            add_row(&w->rows.loads[i], row);
+            *row = (load_row){{0}, {0}, {0}};
+        }
+    }
+}
+
+static void take_loads(load_row *rows, block *b, int count) {
+    int64_t sums[6][BLOCK];
+    for (int i = 0; i < count; i++) {
+        load_row *r = &rows[i];
+        for (int k = 0; k < 3; k++) sums[k][i] = r->force[k], sums[3 + k][i] = r->torque[k];
+        *r = (load_row){{0}, {0}, {0}};
+    }
+    for (int k = 0; k < 6; k++)
+#pragma omp simd
+        for (int i = 0; i < count; i++) b->load[k][i] = (double)sums[k][i];
+}
+
+/* ---- lanes ----------------------------------------------------------------------------------- */
+
+CLAST_INLINE static inline vec3 at(double *const column[3], size_t i) {
+    return v3(column[0][i], column[1][i], column[2][i]);
+}
+
+CLAST_INLINE static inline void put(double *const column[3], size_t i, vec3 a) {
+    column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
+}
+
+CLAST_INLINE static inline void move_block(const clast_world *w, block *b, kernel_columns c,
+                                           int count, turning turn, findings *found) {
+    body_choice choice = {w->dt, 0.5 * w->def.global_damping * w->dt, to_kernel(w, w->def.gravity)};
+    double qf = w->load_scale.force_quantum, qt = w->load_scale.torque_quantum, way = found->way;
+    vec3 low = to_kernel(w, w->def.domain_min), high = to_kernel(w, w->def.domain_max);
+    sum_scale s = w->ledger.scale;
+    double wc = 0, wf = 0, gc = 0, gf = 0;
+    int outside = 0, bad = 0;
+#pragma omp simd reduction(+ : wc, wf, gc, gf) reduction(max : way) reduction(| : outside, bad)
+    for (int i = 0; i < count; i++) {
+        size_t j = (size_t)i;
+        moving m = {at(c.v, j), at(c.l, j), {c.qw[j], c.q[0][j], c.q[1][j], c.q[2][j]}};
+        vec3 inverse =
+            v3(b->inverse_inertia[0][i], b->inverse_inertia[1][i], b->inverse_inertia[2][i]);
+        vec3 force = v3(qf * b->load[0][i], qf * b->load[1][i], qf * b->load[2][i]);
+        vec3 torque = v3(qt * b->load[3][i], qt * b->load[4][i], qt * b->load[5][i]);
+        kick k = kicked(turn, choice, m, force, torque, b->mass[i], b->inverse_mass[i], inverse);
+        vec3 x = v3_add(at(c.x, j), v3_scale(choice.dt, k.velocity));
+        if (turn == TURN_IN_PLANE) x.z = c.x[2][j];
+        quat q = turned_by(turn, m.q, k.momentum, inverse, choice.dt);
+        vec3 spin = spin_of(turn, q, k.momentum, inverse);
+        put(c.x, j, x), put(c.v, j, k.velocity), put(c.l, j, k.momentum);
+        c.qw[j] = q.w, c.q[0][j] = q.x, c.q[1][j] = q.y, c.q[2][j] = q.z;
+        b->w[0][i] = spin.x, b->w[1][i] = spin.y, b->w[2][i] = spin.z;
+        double step = choice.dt * (v3_norm(k.velocity) + v3_norm(spin) * b->bound[i]);
+        way = step > way ? step : way;
+        bad |= !(step < 1e300);
+        outside |= !(x.x >= low.x && x.x <= high.x && x.y >= low.y && x.y <= high.y &&
+                     x.z >= low.z && x.z <= high.z);
+        double coarse = (k.contact_work + s.coarse) - s.coarse;
+        wc += coarse, wf += ((k.contact_work - coarse) + s.fine) - s.fine;
+        coarse = (k.global_loss + s.coarse) - s.coarse;
+        gc += coarse, gf += ((k.global_loss - coarse) + s.fine) - s.fine;
+    }
+    found->work_coarse += wc, found->work_fine += wf;
+    found->global_coarse += gc, found->global_fine += gf;
+    found->way = way, found->outside |= outside, found->bad |= bad;
+}
+
+static void store_motion(motion_row *rows, const block *b, kernel_columns c, int count) {
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) rows[i].v[k] = c.v[k][i], rows[i].w[k] = b->w[k][i];
+}
+
+static kernel_columns columns_from(kernel_columns c, size_t begin) {
+    for (int k = 0; k < 3; k++) c.x[k] += begin, c.q[k] += begin, c.v[k] += begin, c.l[k] += begin;
+    c.qw += begin;
+    return c;
+}
+
+static void move(clast_world *w, block *b, kernel_columns c, int count, findings *found) {
+    if (w->def.motion == CLAST_MOTION_IN_PLANE)
+        move_block(w, b, c, count, TURN_IN_PLANE, found);
+    else if (w->special.round)
+        move_block(w, b, c, count, TURN_ROUND, found);
+    else
+        move_block(w, b, c, count, TURN_ANY, found);
+}
+
+void CLAST_BODY_KERNEL(clast_world *w, share *s) {
+    kernel_columns all = columns_of(w);
+    findings found = {0};
+    block b;
+    bool one_shape = w->special.one_shape;
+    for (int i = 0; i < BLOCK && one_shape; i++) load_shape(w, &b, i, &w->shapes[0]);
+    add_overhangs(w, s);
+    for (size_t begin = s->body_begin; begin < s->body_end; begin += BLOCK) {
+        int count = s->body_end - begin < BLOCK ? (int)(s->body_end - begin) : BLOCK;
+        for (int i = 0; i < count && !one_shape; i++)
+            load_shape(w, &b, i, &w->shapes[w->bodies.shape[begin + (size_t)i]]);
+        kernel_columns here = columns_from(all, begin);
+        take_loads(w->rows.loads + begin, &b, count);
+        move(w, &b, here, count, &found);
+        store_motion(w->rows.motion + begin, &b, here, count);
+        place_spheres(w, &all, begin, begin + (size_t)count);
+    }
+    s->body_tally = (body_tally){.global = {found.global_coarse, found.global_fine},
+                                 .contact = {found.work_coarse, found.work_fine},
+                                 .way = found.bad ? INFINITY : found.way,
+                                 .outside = found.outside};
+}

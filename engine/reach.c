@@ -1,0 +1,245 @@
+/* reach.c - the reach list: every pair of spheres, and of a sphere and a wall, that is closer than
+ * the skin, found through the cells. A pair stands with its sphere of lower index. Nothing here is
+ * observable. */
+#include "engine/geometry.h"
+
+/* ---- growing --------------------------------------------------------------------------------- */
+
+static void reserve_partners(clast_world *w, reach_list *l, size_t count) {
+    if (count <= l->capacity) return;
+    size_t now = count + count / 8 + 256;
+    l->partner = memory_grow(w, l->partner, l->capacity, now, sizeof *l->partner);
+    l->capacity = now;
+}
+
+static void reserve_first(clast_world *w, reach_list *l, size_t spheres) {
+    if (spheres + 1 <= l->first_capacity) return;
+    l->first = memory_grow(w, l->first, l->first_capacity, spheres + 1, sizeof *l->first);
+    l->first_capacity = spheres + 1;
+}
+
+static void push_wall(clast_world *w, wall_reach *l, size_t sphere, int wall_index) {
+    if (l->count == l->capacity) {
+        size_t now = 2 * l->capacity + 64;
+        l->sphere = memory_grow(w, l->sphere, l->capacity, now, sizeof *l->sphere);
+        l->wall = memory_grow(w, l->wall, l->capacity, now, sizeof *l->wall);
+        l->capacity = now;
+    }
+    l->sphere[l->count] = (int32_t)sphere, l->wall[l->count] = wall_index;
+    l->count++;
+}
+
+/* ---- bodies ahead ---------------------------------------------------------------------------- */
+
+typedef struct range {
+    size_t begin, end; /* slots */
+} range;
+
+static double bound_of(const clast_world *w, size_t slot) {
+    return w->shapes[w->bodies.shape[slot]].bound;
+}
+
+/* Slots behind `a` in its own row of cells and in the rows after it that its neighbours can be in.
+ */
+static int ranges_ahead(const clast_world *w, size_t a, range out[5]) {
+    const cell_grid *g = &w->cells.grid;
+    const body_store *b = &w->bodies;
+    int i = (int)((b->x[a] - g->low.x) / g->size), j = (int)((b->y[a] - g->low.y) / g->size),
+        k = (int)((b->z[a] - g->low.z) / g->size);
+    int i0 = i > 0 ? i - 1 : 0, i1 = i + 1 < g->nx ? i + 1 : g->nx - 1, count = 0;
+    static const int dj[5] = {0, 1, -1, 0, 1}, dk[5] = {0, 0, 1, 1, 1};
+    for (int r = 0; r < 5; r++) {
+        int jr = j + dj[r], kr = k + dk[r];
+        if (jr < 0 || jr >= g->ny || kr >= g->nz) continue;
+        size_t row = ((size_t)kr * (size_t)g->ny + (size_t)jr) * (size_t)g->nx;
+        size_t from = r == 0 ? a + 1 : w->cells.cell_first[row + (size_t)i0];
+        size_t to = w->cells.cell_first[row + (size_t)i1 + 1];
+        if (from < to) out[count++] = (range){from, to};
+    }
+    return count;
+}
+
+/* Writes the slots of a range that are within reach; room for all of them. No branch, because there
+ * is nothing to predict. */
+static size_t scan(const clast_world *w, size_t a, range r, int32_t *found) {
+    const body_store *b = &w->bodies;
+    double x = b->x[a], y = b->y[a], z = b->z[a], own = bound_of(w, a) + w->skin;
+    size_t count = 0;
+    for (size_t s = r.begin; s < r.end; s++) {
+        double dx = b->x[s] - x, dy = b->y[s] - y, dz = b->z[s] - z;
+        double reach = own + (w->special.one_shape ? w->largest_bound : bound_of(w, s));
+        found[count] = (int32_t)s;
+        count += dx * dx + dy * dy + dz * dz < reach * reach;
+    }
+    return count;
+}
+
+/* Appends the bodies ahead within reach and returns how many there are. */
+static size_t append_bodies(clast_world *w, reach_list *l, size_t a) {
+    range ranges[5];
+    int rows = ranges_ahead(w, a, ranges);
+    size_t begin = l->count, found = begin;
+    for (int r = 0; r < rows; r++) {
+        reserve_partners(w, l, found + (ranges[r].end - ranges[r].begin));
+        found += scan(w, a, ranges[r], l->partner + found);
+    }
+    return found - begin;
+}
+
+/* ---- spheres of clumps ----------------------------------------------------------------------- */
+
+static size_t scan_spheres(const clast_world *w, size_t i, size_t body, int32_t *found) {
+    const centre_row *c = w->rows.centre, *own = &c[i];
+    size_t count = 0;
+    for (size_t j = w->rows.first[body]; j < w->rows.first[body + 1]; j++) {
+        double dx = c[j].x - own->x, dy = c[j].y - own->y, dz = c[j].z - own->z;
+        double reach = own->radius + c[j].radius + w->skin;
+        found[count] = (int32_t)j;
+        count += dx * dx + dy * dy + dz * dz < reach * reach;
+    }
+    return count;
+}
+
+/* ---- contacts that have just moved out of reach ----------------------------------------------
+ * A contact that touched at the last evaluation and is now farther apart than the skin stays: the
+ * law books its end, as it would with a wider skin. */
+
+static size_t partner_of_record(const clast_world *w, const contact_record *r, size_t own) {
+    size_t a = first_sphere(w, (size_t)w->slot_of_id[r->a]) + (size_t)r->sphere_a;
+    size_t b = first_sphere(w, (size_t)w->slot_of_id[r->b]) + (size_t)r->sphere_b;
+    return a == own ? b : a;
+}
+
+static void keep_touching(clast_world *w, reach_list *l, size_t sphere, size_t begin) {
+    const record_list *r = &w->records;
+    for (uint32_t k = r->first[sphere]; k < r->first[sphere + 1]; k++) {
+        const contact_record *record = &r->items[r->order[k]];
+        if (record->b >= CLAST_WALL_ID) continue;
+        int32_t partner = (int32_t)partner_of_record(w, record, sphere);
+        size_t at = begin;
+        while (at < l->count && l->partner[at] != partner) at++;
+        if (at < l->count) continue;
+        reserve_partners(w, l, l->count + 1);
+        l->partner[l->count++] = partner;
+    }
+}
+
+static void build_for_sphere_body(clast_world *w, share *s, size_t slot) {
+    reach_list *l = &s->reach;
+    size_t begin = l->count;
+    l->first[slot - s->sphere_begin] = (uint32_t)begin;
+    l->count += append_bodies(w, l, slot);
+    keep_touching(w, l, slot, begin);
+}
+
+static size_t bodies_ahead(clast_world *w, reach_list *l, size_t slot) {
+    size_t bodies = append_bodies(w, l, slot);
+    if (bodies > l->ahead_capacity) {
+        size_t now = 2 * bodies;
+        l->ahead = memory_grow(w, l->ahead, l->ahead_capacity, now, sizeof *l->ahead);
+        l->ahead_capacity = now;
+    }
+    for (size_t k = 0; k < bodies; k++) l->ahead[k] = l->partner[l->count + k];
+    return bodies;
+}
+
+static void build_for_clump(clast_world *w, share *s, size_t slot) {
+    reach_list *l = &s->reach;
+    size_t bodies = bodies_ahead(w, l, slot);
+    for (size_t i = w->rows.first[slot]; i < w->rows.first[slot + 1]; i++) {
+        size_t begin = l->count;
+        l->first[i - s->sphere_begin] = (uint32_t)begin;
+        for (size_t k = 0; k < bodies; k++) {
+            size_t body = (size_t)l->ahead[k];
+            size_t most = w->rows.first[body + 1] - w->rows.first[body];
+            reserve_partners(w, l, l->count + most);
+            l->count += scan_spheres(w, i, body, l->partner + l->count);
+        }
+        keep_touching(w, l, i, begin);
+    }
+}
+
+/* ---- walls ----------------------------------------------------------------------------------- */
+
+static bool is_within_reach(const clast_world *w, const wall *l, size_t sphere) {
+    const centre_row *c = &w->rows.centre[sphere];
+    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
+    size_t slot = body_of_sphere(w, sphere);
+    return wall_approach(l, body_position(w, slot)).distance < bound_of(w, slot) + w->skin &&
+           wall_approach(l, centre).distance < c->radius + w->skin;
+}
+
+static void try_wall(clast_world *w, share *s, size_t slot, int wall_index) {
+    const wall *l = &w->walls[wall_index];
+    if (wall_approach(l, body_position(w, slot)).distance >= bound_of(w, slot) + w->skin) return;
+    for (size_t i = first_sphere(w, slot); i < first_sphere(w, slot + 1); i++)
+        if (is_within_reach(w, l, i)) push_wall(w, &s->wall_reach, i, wall_index);
+}
+
+static int cell_at(double x, double low, double size, int cells) {
+    double i = floor((x - low) / size);
+    return i < 0 ? 0 : i > cells - 1 ? cells - 1 : (int)i;
+}
+
+/* Bodies of the share in the cells around the box of a wall. */
+static void try_box(clast_world *w, share *s, int wall_index, vec3 low, vec3 high) {
+    const cell_grid *g = &w->cells.grid;
+    double far = w->largest_bound + w->skin;
+    int i0 = cell_at(low.x - far, g->low.x, g->size, g->nx),
+        i1 = cell_at(high.x + far, g->low.x, g->size, g->nx);
+    int j0 = cell_at(low.y - far, g->low.y, g->size, g->ny),
+        j1 = cell_at(high.y + far, g->low.y, g->size, g->ny);
+    int k0 = cell_at(low.z - far, g->low.z, g->size, g->nz),
+        k1 = cell_at(high.z + far, g->low.z, g->size, g->nz);
+    for (int k = k0; k <= k1; k++)
+        for (int j = j0; j <= j1; j++) {
+            size_t row = ((size_t)k * (size_t)g->ny + (size_t)j) * (size_t)g->nx;
+            size_t from = w->cells.cell_first[row + (size_t)i0];
+            size_t to = w->cells.cell_first[row + (size_t)i1 + 1];
+            from = from > s->body_begin ? from : s->body_begin;
+            to = to < s->body_end ? to : s->body_end;
+            for (size_t slot = from; slot < to; slot++) try_wall(w, s, slot, wall_index);
+        }
+}
+
+static void keep_touching_walls(clast_world *w, share *s) {
+    const record_list *r = &w->records;
+    for (size_t i = s->sphere_begin; i < s->sphere_end; i++)
+        for (uint32_t k = r->first[i]; k < r->first[i + 1]; k++) {
+            const contact_record *record = &r->items[r->order[k]];
+            if (record->b < CLAST_WALL_ID) continue;
+            int wall_index = (int)(record->b - CLAST_WALL_ID);
+            const wall *l = &w->walls[wall_index];
+            if (!w->parts[l->part].present || is_within_reach(w, l, i)) continue;
+            push_wall(w, &s->wall_reach, i, wall_index);
+        }
+}
+
+static void build_walls(clast_world *w, share *s) {
+    s->wall_reach.count = 0;
+    for (int l = 0; l < w->wall_count; l++) {
+        vec3 low, high;
+        if (!w->parts[w->walls[l].part].present) continue;
+        if (wall_box(&w->walls[l], &low, &high))
+            try_box(w, s, l, low, high);
+        else
+            for (size_t slot = s->body_begin; slot < s->body_end; slot++) try_wall(w, s, slot, l);
+    }
+    keep_touching_walls(w, s);
+}
+
+/* Needs cells, rows and placed records. */
+void reach_build(clast_world *w, share *s) {
+    reach_list *l = &s->reach;
+    size_t spheres = s->sphere_end - s->sphere_begin;
+    l->count = 0;
+    reserve_first(w, l, spheres);
+    for (size_t slot = s->body_begin; slot < s->body_end; slot++) {
+        if (w->special.clumps)
+            build_for_clump(w, s, slot);
+        else
+            build_for_sphere_body(w, s, slot);
+    }
+    l->first[spheres] = (uint32_t)l->count;
+    build_walls(w, s);
+}

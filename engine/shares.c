@@ -1,0 +1,53 @@
+/* shares.c - which thread owns which bodies. Ranges of storage order, cut so that contacts are
+ * about equal in number; the cut is not observable. */
+#include <string.h>
+
+#include "engine/world.h"
+
+static void free_contacts(contact_list *l) {
+    memory_release(l->a), memory_release(l->b);
+    for (int k = 0; k < HISTORY_COLUMNS; k++) memory_release(l->column[k]);
+}
+
+void shares_free(clast_world *w) {
+    for (int t = 0; t < w->threads; t++) {
+        share *s = &w->shares[t];
+        memory_release(s->reach.partner), memory_release(s->reach.first);
+        memory_release(s->reach.ahead);
+        memory_release(s->wall_reach.sphere), memory_release(s->wall_reach.wall);
+        free_contacts(&s->contacts), free_contacts(&s->walls);
+        memory_release(s->overhang);
+    }
+    memory_release(w->shares), memory_release(w->power_room);
+    w->shares = NULL, w->power_room = NULL;
+}
+
+void shares_make(clast_world *w, int threads) {
+    shares_free(w);
+    w->threads = threads;
+    size_t count = (size_t)threads, parts = (size_t)w->part_count;
+    w->shares = memory_lines(w, NULL, 0, count * sizeof *w->shares);
+    w->power_room = memory_grow(w, NULL, 0, count * parts + 1, sizeof *w->power_room);
+    for (int t = 0; t < threads; t++) w->shares[t].part_power = w->power_room + (size_t)t * parts;
+}
+
+/* Work of a body: its spheres and, twice as dear, the contacts that it owns. */
+static size_t work_of(const clast_world *w, size_t slot) {
+    size_t from = first_sphere(w, slot), to = first_sphere(w, slot + 1);
+    return (to - from) + 2 * (w->records.first[to] - w->records.first[from]);
+}
+
+/* Needs rows laid out and records placed. */
+void shares_cut(clast_world *w) {
+    size_t n = w->bodies.count, all = 0, done = 0, slot = 0;
+    for (size_t i = 0; i < n; i++) all += work_of(w, i);
+    for (int t = 0; t < w->threads; t++) {
+        share *s = &w->shares[t];
+        size_t target = all * ((size_t)t + 1) / (size_t)w->threads;
+        s->body_begin = slot;
+        while (slot < n && (done < target || t == w->threads - 1)) done += work_of(w, slot++);
+        s->body_end = slot;
+        s->sphere_begin = first_sphere(w, s->body_begin);
+        s->sphere_end = first_sphere(w, s->body_end);
+    }
+}

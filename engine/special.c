@@ -1,0 +1,128 @@
+/* special.c - what the scene does not need: picks the kernels and the quanta of the loads. */
+#include "engine/numbers.h"
+#include "engine/world.h"
+
+contact_kernel contact_kernel_baseline, contact_kernel_avx2, contact_kernel_avx512;
+contact_kernel contact_kernel_mixed_baseline, contact_kernel_mixed_avx2,
+    contact_kernel_mixed_avx512;
+body_kernel body_kernel_baseline, body_kernel_avx2, body_kernel_avx512;
+
+/* ---- instruction sets ------------------------------------------------------------------------ */
+
+static bool has_avx512(void) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+}
+
+static void take_kernels(clast_world *w, const char *name, contact_kernel *full,
+                         contact_kernel *mixed, body_kernel *bodies) {
+    w->isa_name = name;
+    w->contact_kernel = w->def.precision == CLAST_PRECISION_MIXED ? mixed : full;
+    w->body_kernel = bodies;
+}
+
+/* A wish that the processor cannot fulfil falls back to the next best. */
+void special_choose_kernels(clast_world *w) {
+    clast_isa wish = w->def.isa == CLAST_ISA_AUTO ? CLAST_ISA_AVX512 : w->def.isa;
+    if (wish == CLAST_ISA_AVX512 && has_avx512())
+        take_kernels(w, "avx512", contact_kernel_avx512, contact_kernel_mixed_avx512,
+                     body_kernel_avx512);
+    else if (wish >= CLAST_ISA_AVX2 && __builtin_cpu_supports("avx2"))
+        take_kernels(w, "avx2", contact_kernel_avx2, contact_kernel_mixed_avx2, body_kernel_avx2);
+    else
+        take_kernels(w, "baseline", contact_kernel_baseline, contact_kernel_mixed_baseline,
+                     body_kernel_baseline);
+}
+
+/* ---- specialities ---------------------------------------------------------------------------- */
+
+static bool is_single(const shape *s) {
+    return s->spheres == 1 && s->centre[0].x == 0 && s->centre[0].y == 0 && s->centre[0].z == 0;
+}
+
+static bool has_tangent(const clast_world *w) {
+    for (int i = 0; i < w->material_count * w->material_count; i++)
+        if (w->coefs[i].set && (w->coefs[i].friction > 0 || w->coefs[i].cohesion > 0)) return true;
+    return false;
+}
+
+/* A wall that can push in the plane of motion alone, seen from spheres at height z of its axis. */
+static bool wall_is_flat(const clast_world *w, const wall *l, double z) {
+    vec3 n = to_kernel(w, l->n), u = to_kernel(w, l->u), v = to_kernel(w, l->v);
+    vec3 moves = to_kernel(w, v3_add(w->parts[l->part].def.velocity, l->def.belt_velocity));
+    if (n.z != 0 || moves.z != 0) return false;
+    if (l->def.kind == CLAST_WALL_PLANE) return true;
+    if (l->def.kind == CLAST_WALL_PATCH) return false;
+    double height = z - to_kernel(w, l->def.point).z;
+    if (u.z == 0 && fabs(v.z) == 1) return fabs(height) < l->def.half_side[1];
+    if (v.z == 0 && fabs(u.z) == 1) return fabs(height) < l->def.half_side[0];
+    return false;
+}
+
+static bool is_flat(const clast_world *w) {
+    if (w->def.motion != CLAST_MOTION_IN_PLANE || w->bodies.count == 0) return false;
+    double z = to_kernel(w, body_position(w, 0)).z;
+    for (size_t i = 1; i < w->bodies.count; i++)
+        if (to_kernel(w, body_position(w, i)).z != z) return false;
+    for (int s = 0; s < w->shape_count; s++)
+        for (int k = 0; k < w->shapes[s].spheres; k++)
+            if (to_kernel(w, w->shapes[s].centre[k]).z != 0) return false;
+    for (int l = 0; l < w->wall_count; l++)
+        if (!wall_is_flat(w, &w->walls[l], z)) return false;
+    return true;
+}
+
+/* Axes must be set. */
+void special_choose(clast_world *w) {
+    const shape *first = &w->shapes[0];
+    speciality k = {.tangent = has_tangent(w),
+                    .one_shape = w->shape_count == 1,
+                    .round = true,
+                    .one_kind = true,
+                    .one_material = true};
+    for (int i = 0; i < w->shape_count; i++) {
+        const shape *s = &w->shapes[i];
+        k.clumps |= !is_single(s);
+        k.round &= s->round_inertia;
+        k.one_material &= s->material == first->material;
+        k.one_kind &= s->mass == first->mass;
+        for (int e = 0; e < s->spheres; e++) k.one_kind &= s->radius[e] == first->radius[0];
+    }
+    k.one_kind &= k.one_material;
+    k.flat = is_flat(w);
+    w->special = k;
+}
+
+/* ---- quanta of the loads ----------------------------------------------------------------------
+ */
+
+static double elastic_force(const clast_world *w, const pair_coef *c, double radius,
+                            double overlap) {
+    if (w->def.law == CLAST_LAW_LINEAR) return c->k_normal * overlap;
+    return 2.0 / 3.0 * c->k_normal * sqrt(radius * overlap) * overlap;
+}
+
+/* Eight times the elastic force at twice the overlap at which the guard stops the run. What is
+ * larger is caught as a failure. Sums of four such forces fit; at rest, a sphere of steel or glass
+ * has its weight resolved to better than 1e-11. */
+void special_choose_scale(clast_world *w) {
+    double radius = 0, weight = 0, largest = 0;
+    for (int i = 0; i < w->shape_count; i++) {
+        const shape *s = &w->shapes[i];
+        for (int e = 0; e < s->spheres; e++) radius = fmax(radius, s->radius[e]);
+        weight = fmax(weight, s->mass * v3_norm(w->def.gravity));
+    }
+    bool stops = w->def.guards == CLAST_GUARD_STOP && w->def.max_overlap < 1;
+    double overlap = (stops ? 2 * w->def.max_overlap : 2) * radius;
+    for (int i = 0; i < w->material_count * w->material_count; i++) {
+        const pair_coef *c = &w->coefs[i];
+        if (c->set) largest = fmax(largest, elastic_force(w, c, radius, overlap) + c->cohesion);
+    }
+    double force = number_power_of_two_above(fmax(8 * largest, 1e-100) + 100 * weight);
+    double arm = number_power_of_two_above(w->largest_bound);
+    w->load_scale = (load_scale){.force = 0x1p61 / force,
+                                 .torque = 0x1p61 / (force * arm),
+                                 .force_quantum = force * 0x1p-61,
+                                 .torque_quantum = force * arm * 0x1p-61,
+                                 .limit = 0x1p61};
+}
