@@ -2,6 +2,7 @@
  * the next contact pass. Compiled once per instruction set (CLAST_BODY_KERNEL names the copy); the
  * bits are the same in all of them. */
 #include "engine/body_lanes.h"
+#include "engine/lanes.h"
 #include "engine/rows.h"
 
 #ifndef CLAST_BODY_KERNEL
@@ -50,21 +51,40 @@ static void add_overhangs(const clast_world *w, const share *s) {
         for (size_t i = from; i < to; i++) {
             load_row *row = &other->overhang[i - other->body_end];
             add_row(&w->rows.loads[i], row);
-            *row = (load_row){{0}, {0}, {0}};
+            *row = (load_row){{0}, {0}};
         }
     }
 }
 
+#ifdef LANE_ROWS
+/* Four rows into four lanes of columns; the rows are empty afterwards. */
+LANE_INLINE void take_four(int64_t (*columns)[BLOCK], int i, load_row *rows) {
+    for (int half = 0; half < 2; half++) {
+        whole4 r[4], c[4];
+        for (int k = 0; k < 4; k++) {
+            whole4 *row = (whole4 *)(half ? rows[k].torque : rows[k].force);
+            r[k] = *row, *row = (whole4){0, 0, 0, 0};
+        }
+        TRANSPOSE4(whole4, r, c);
+        for (int k = 0; k < 3; k++) *(whole4 *)&columns[3 * half + k][i] = c[k];
+    }
+}
+#endif
+
 static void take_loads(load_row *rows, block *b, int count) {
-    int64_t sums[6][BLOCK];
-    for (int i = 0; i < count; i++) {
+    _Alignas(64) int64_t sums[6][BLOCK];
+    int i = 0;
+#ifdef LANE_ROWS
+    for (; i + 4 <= count; i += 4) take_four(sums, i, &rows[i]);
+#endif
+    for (; i < count; i++) {
         load_row *r = &rows[i];
         for (int k = 0; k < 3; k++) sums[k][i] = r->force[k], sums[3 + k][i] = r->torque[k];
-        *r = (load_row){{0}, {0}, {0}};
+        *r = (load_row){{0}, {0}};
     }
     for (int k = 0; k < 6; k++)
 #pragma omp simd
-        for (int i = 0; i < count; i++) b->load[k][i] = (double)sums[k][i];
+        for (int l = 0; l < count; l++) b->load[k][l] = double_from(sums[k][l]);
 }
 
 /* ---- lanes ----------------------------------------------------------------------------------- */
@@ -116,9 +136,38 @@ CLAST_INLINE static inline void move_block(const clast_world *w, block *b, kerne
     found->way = way, found->outside |= outside, found->bad |= bad;
 }
 
+/* ---- rows for the contact pass --------------------------------------------------------------- */
+
+#ifdef LANE_ROWS
+/* Four lanes of three columns into the first three numbers of four rows. */
+LANE_INLINE void put_rows(double *to, size_t stride, const double *x, const double *y,
+                          const double *z) {
+    rows4 c[4] = {*(const rows4 *)x, *(const rows4 *)y, *(const rows4 *)z, {0, 0, 0, 0}}, r[4];
+    TRANSPOSE4(rows4, c, r);
+    for (size_t k = 0; k < 4; k++) {
+        rows4 *row = (rows4 *)(to + k * stride);
+        *row = __builtin_shufflevector(r[k], *row, 0, 1, 2, 7);
+    }
+}
+#endif
+
+/* Columns begin .. into the first three numbers of rows that are `stride` doubles apart. */
+LANE_INLINE void store_rows(double *to, size_t stride, const double *x, const double *y,
+                            const double *z, int count) {
+    int i = 0;
+#ifdef LANE_ROWS
+    for (; i + 4 <= count; i += 4) put_rows(to + (size_t)i * stride, stride, x + i, y + i, z + i);
+#endif
+    for (; i < count; i++) {
+        double *row = to + (size_t)i * stride;
+        row[0] = x[i], row[1] = y[i], row[2] = z[i];
+    }
+}
+
 static void store_motion(motion_row *rows, const block *b, kernel_columns c, int count) {
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) rows[i].v[k] = c.v[k][i], rows[i].w[k] = b->w[k][i];
+    enum { STRIDE = sizeof(motion_row) / sizeof(double) };
+    store_rows(rows->v, STRIDE, c.v[0], c.v[1], c.v[2], count);
+    store_rows(rows->w, STRIDE, b->w[0], b->w[1], b->w[2], count);
 }
 
 static kernel_columns columns_from(kernel_columns c, size_t begin) {
@@ -151,7 +200,10 @@ void CLAST_BODY_KERNEL(clast_world *w, share *s) {
         take_loads(w->rows.loads + begin, &b, count);
         move(w, &b, here, count, &found);
         store_motion(w->rows.motion + begin, &b, here, count);
-        place_spheres(w, &all, begin, begin + (size_t)count);
+        if (w->special.clumps)
+            place_spheres(w, &all, begin, begin + (size_t)count);
+        else
+            store_rows(&w->rows.centre[begin].x, 4, here.x[0], here.x[1], here.x[2], count);
     }
     s->body_tally = (body_tally){.global = {found.global_coarse, found.global_fine},
                                  .contact = {found.work_coarse, found.work_fine},

@@ -10,8 +10,6 @@
 #endif
 contact_kernel CLAST_KERNEL;
 
-enum { LOADS = 9 };
-
 /* One pass over one list. */
 typedef struct pass {
     const clast_world *w;
@@ -24,8 +22,7 @@ typedef struct pass {
     law_choice choice;
     contact_tally tally;
     batch b;
-    _Alignas(64) double scaled[LOADS][LANES]; /* force on a, torques on a and b, in quanta */
-    int64_t quanta[LOADS][LANES];
+    _Alignas(64) int64_t force[4][LANES], ta[4][LANES], tb[4][LANES]; /* quanta; [3] stays 0 */
 } pass;
 
 /* ---- columns that are the same for all contacts ---------------------------------------------- */
@@ -53,49 +50,138 @@ static void fill_constants(pass *p) {
 
 /* ---- rows into columns ----------------------------------------------------------------------- */
 
-LANE_INLINE void load_motion(batch *b, int i, const motion_row *ma, const motion_row *mb,
-                             law_need need) {
-    b->v[0][i] = (real)(ma->v[0] - mb->v[0]), b->v[1][i] = (real)(ma->v[1] - mb->v[1]);
-    if (!need.flat) {
-        b->v[2][i] = (real)(ma->v[2] - mb->v[2]);
-        b->wa[0][i] = (real)ma->w[0], b->wa[1][i] = (real)ma->w[1];
-        b->wb[0][i] = (real)mb->w[0], b->wb[1][i] = (real)mb->w[1];
-    }
-    b->wa[2][i] = (real)ma->w[2], b->wb[2][i] = (real)mb->w[2];
+/* Where the numbers of one sphere stand. */
+typedef struct side {
+    const double *centre, *v, *w, *arm;
+} side;
+
+LANE_INLINE side side_of(const row_store *r, int32_t sphere, law_need need) {
+    size_t s = (size_t)sphere, body = need.clumps ? (size_t)r->arm[s].body : s;
+    const motion_row *m = &r->motion[body];
+    return (side){&r->centre[s].x, m->v, m->w, need.clumps ? r->arm[s].arm : NULL};
 }
 
-LANE_INLINE void load_arm(real (*to)[LANES], int i, const vec3 *arm, law_need need) {
-    to[0][i] = (real)arm->x, to[1][i] = (real)arm->y;
-    if (!need.flat) to[2][i] = (real)arm->z;
+LANE_INLINE void load_vector(real (*to)[LANES], int i, const double *from, law_need need) {
+    to[0][i] = (real)from[0], to[1][i] = (real)from[1];
+    if (!need.flat) to[2][i] = (real)from[2];
 }
+
+LANE_INLINE void load_spin(real (*to)[LANES], int i, const double *w, law_need need) {
+    if (!need.flat) to[0][i] = (real)w[0], to[1][i] = (real)w[1];
+    to[2][i] = (real)w[2];
+}
+
+LANE_INLINE void load_pair(batch *b, int i, side sa, side sb, law_need need) {
+    for (int k = 0; k < (need.flat ? 2 : 3); k++) {
+        b->d[k][i] = sa.centre[k] - sb.centre[k];
+        b->v[k][i] = (real)(sa.v[k] - sb.v[k]);
+    }
+    if (need.equal) {
+        double sum[3] = {sa.w[0] + sb.w[0], sa.w[1] + sb.w[1], sa.w[2] + sb.w[2]};
+        load_spin(b->wa, i, sum, need);
+        return;
+    }
+    load_spin(b->wa, i, sa.w, need), load_spin(b->wb, i, sb.w, need);
+    if (!need.clumps) return;
+    load_vector(b->oa, i, sa.arm, need), load_vector(b->ob, i, sb.arm, need);
+}
+
+#ifdef LANE_ROWS
+#ifdef CLAST_SINGLE
+typedef float real4 __attribute__((vector_size(16), aligned(4), may_alias));
+#else
+typedef rows4 real4;
+#endif
+
+LANE_INLINE rows4 row_at(const double *p) {
+    return *(const rows4 *)p;
+}
+
+LANE_INLINE void put4(real *to, rows4 from) {
+#ifdef CLAST_SINGLE
+    *(real4 *)to = __builtin_convertvector(from, real4);
+#else
+    *(real4 *)to = from;
+#endif
+}
+
+/* Four rows into three columns, or those of them that a flat scene has. */
+LANE_INLINE void put_vector(real (*to)[LANES], int i, const rows4 *r, law_need need) {
+    rows4 c[4];
+    TRANSPOSE4(rows4, r, c);
+    put4(&to[0][i], c[0]), put4(&to[1][i], c[1]);
+    if (!need.flat) put4(&to[2][i], c[2]);
+}
+
+LANE_INLINE void put_spin(real (*to)[LANES], int i, const rows4 *r, law_need need) {
+    rows4 c[4];
+    TRANSPOSE4(rows4, r, c);
+    if (!need.flat) put4(&to[0][i], c[0]), put4(&to[1][i], c[1]);
+    put4(&to[2][i], c[2]);
+}
+
+LANE_INLINE void put_places(double (*to)[LANES], int i, const rows4 *r, law_need need) {
+    rows4 c[4];
+    TRANSPOSE4(rows4, r, c);
+    *(rows4 *)&to[0][i] = c[0], *(rows4 *)&to[1][i] = c[1];
+    if (!need.flat) *(rows4 *)&to[2][i] = c[2];
+}
+
+LANE_INLINE void load_four(batch *b, int i, const side *sa, const side *sb, law_need need) {
+    rows4 d[4], v[4], wa[4], wb[4], oa[4], ob[4];
+    for (int k = 0; k < 4; k++) {
+        d[k] = row_at(sa[k].centre) - row_at(sb[k].centre);
+        v[k] = row_at(sa[k].v) - row_at(sb[k].v);
+        wa[k] = row_at(sa[k].w), wb[k] = row_at(sb[k].w);
+        if (need.equal) wa[k] += wb[k];
+        if (need.clumps) oa[k] = row_at(sa[k].arm), ob[k] = row_at(sb[k].arm);
+    }
+    put_places(b->d, i, d, need);
+    put_vector(b->v, i, v, need);
+    put_spin(b->wa, i, wa, need);
+    if (!need.equal) put_spin(b->wb, i, wb, need);
+    if (need.clumps) put_vector(b->oa, i, oa, need), put_vector(b->ob, i, ob, need);
+}
+
+/* As many fours as there are; the rest is for scalars. */
+LANE_INLINE int load_fours(pass *p, const int32_t *a, const int32_t *b, int count, law_need need) {
+    const row_store *r = &p->w->rows;
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {
+        side sa[4], sb[4];
+        for (int k = 0; k < 4; k++)
+            sa[k] = side_of(r, a[i + k], need), sb[k] = side_of(r, b[i + k], need);
+        load_four(&p->b, i, sa, sb, need);
+    }
+    return i;
+}
+#else
+LANE_INLINE int load_fours(pass *p, const int32_t *a, const int32_t *b, int count, law_need need) {
+    (void)p, (void)a, (void)b, (void)count, (void)need;
+    return 0;
+}
+#endif
 
 /* Spheres that are not like all others. */
-static void load_kinds(pass *p, int i, const centre_row *ca, const centre_row *cb,
-                       const motion_row *ma, const motion_row *mb) {
-    batch *b = &p->b;
-    b->ra[i] = ca->radius, b->rb[i] = cb->radius;
-    b->ma[i] = (real)ma->mass, b->mb[i] = (real)mb->mass;
-    if (p->w->special.one_material) return;
-    fill_coefficients(b, i, &p->w->coefs[ma->material * p->w->material_count + mb->material]);
+static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count) {
+    const clast_world *w = p->w;
+    for (int i = 0; i < count; i++) {
+        size_t sa = (size_t)a[i], sb = (size_t)b[i];
+        const motion_row *ma = &w->rows.motion[body_of_sphere(w, sa)];
+        const motion_row *mb = &w->rows.motion[body_of_sphere(w, sb)];
+        p->b.ra[i] = w->rows.centre[sa].radius, p->b.rb[i] = w->rows.centre[sb].radius;
+        p->b.ma[i] = (real)ma->mass, p->b.mb[i] = (real)mb->mass;
+        if (w->special.one_material) continue;
+        fill_coefficients(&p->b, i, &w->coefs[ma->material * w->material_count + mb->material]);
+    }
 }
 
 LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
+    const int32_t *a = p->list->a + begin, *b = p->list->b + begin;
     const row_store *r = &p->w->rows;
-    batch *b = &p->b;
-    bool one_kind = p->w->special.one_kind;
-    for (int i = 0; i < count; i++) {
-        size_t sa = (size_t)p->list->a[begin + (size_t)i],
-               sb = (size_t)p->list->b[begin + (size_t)i];
-        const centre_row *ca = &r->centre[sa], *cb = &r->centre[sb];
-        const motion_row *ma = &r->motion[need.clumps ? (size_t)r->body[sa] : sa];
-        const motion_row *mb = &r->motion[need.clumps ? (size_t)r->body[sb] : sb];
-        b->d[0][i] = ca->x - cb->x, b->d[1][i] = ca->y - cb->y;
-        if (!need.flat) b->d[2][i] = ca->z - cb->z;
-        load_motion(b, i, ma, mb, need);
-        if (need.clumps)
-            load_arm(b->oa, i, &r->arm[sa], need), load_arm(b->ob, i, &r->arm[sb], need);
-        if (!one_kind) load_kinds(p, i, ca, cb, ma, mb);
-    }
+    for (int i = load_fours(p, a, b, count, need); i < count; i++)
+        load_pair(&p->b, i, side_of(r, a[i], need), side_of(r, b[i], need), need);
+    if (!p->w->special.one_kind) load_kinds(p, a, b, count);
 }
 
 static void load_wall_contact(pass *p, int i, size_t sphere, const wall *l) {
@@ -118,8 +204,7 @@ static void load_wall_contact(pass *p, int i, size_t sphere, const wall *l) {
     b->per_small[i] = 1 / ca->radius;
     fill_coefficients(b, i, &w->coefs[m->material * w->material_count + l->def.material]);
     if (!w->special.clumps) return;
-    const vec3 *arm = &r->arm[sphere];
-    b->oa[0][i] = (real)arm->x, b->oa[1][i] = (real)arm->y, b->oa[2][i] = (real)arm->z;
+    for (int k = 0; k < 3; k++) b->oa[k][i] = (real)r->arm[sphere].arm[k];
 }
 
 static void load_walls(pass *p, size_t begin, int count) {
@@ -170,7 +255,7 @@ static void tally_lanes(pass *p, int padded) {
     sum_scale q = p->w->ledger.scale;
     double ec = 0, ef = 0, dc = 0, df = 0, most = p->tally.overlap_max;
     int touching = 0, bad = 0;
-    double limit = p->w->load_scale.limit;
+    double limit = p->w->load_scale.limit * p->w->load_scale.force_quantum;
 #pragma omp simd reduction(+ : ec, ef, dc, df, touching) reduction(max : most) reduction(| : bad)
     for (int i = 0; i < padded; i++) {
         double e = (double)b->elastic[i], coarse = (e + q.coarse) - q.coarse;
@@ -181,7 +266,8 @@ static void tally_lanes(pass *p, int padded) {
         double overlap = b->overlap[i] * b->per_small[i];
         most = overlap > most ? overlap : most;
         touching += b->overlap[i] > 0;
-        double size = fabs(p->scaled[0][i]) + fabs(p->scaled[1][i]) + fabs(p->scaled[2][i]);
+        double size =
+            fabs((double)b->f[0][i]) + fabs((double)b->f[1][i]) + fabs((double)b->f[2][i]);
         bad |= !(size < limit);
     }
     p->tally.overlap_max = bad ? INFINITY : most;
@@ -193,70 +279,90 @@ static void tally_lanes(pass *p, int padded) {
 
 /* ---- forces into loads ----------------------------------------------------------------------- */
 
-LANE_INLINE void scale_column(double *restrict to, const real *restrict from, double scale,
-                              int padded) {
-#pragma omp simd
-    for (int i = 0; i < padded; i++) to[i] = (double)from[i] * scale;
-}
-
-/* Towards zero; what is too large, or not a number, is held at the limit and found by the tally. */
-LANE_INLINE void round_column(int64_t *restrict to, double *restrict from, double limit,
-                              int padded) {
+/* What is too large, or not a number, is held at the limit; the tally has found it. */
+LANE_INLINE void round_column(int64_t *restrict to, const real *restrict from, double scale,
+                              double limit, int padded) {
 #pragma omp simd
     for (int i = 0; i < padded; i++) {
-        double x = from[i] < limit ? from[i] : limit;
-        from[i] = x > -limit ? x : -limit;
-    }
-#pragma omp simd
-    for (int i = 0; i < padded; i++) to[i] = (int64_t)from[i];
-}
-
-LANE_INLINE void scale_loads(pass *p, int padded, law_need need) {
-    const load_scale *q = &p->w->load_scale;
-    for (int k = 0; k < 3; k++) {
-        scale_column(p->scaled[k], p->b.f[k], q->force, padded);
-        if (!need.flat || k == 2) {
-            scale_column(p->scaled[3 + k], p->b.ta[k], q->torque, padded);
-            scale_column(p->scaled[6 + k], p->b.tb[k], q->torque, padded);
-        }
+        double x = (double)from[i] * scale;
+        x = x < limit ? x : limit;
+        to[i] = nearest(x > -limit ? x : -limit);
     }
 }
 
 LANE_INLINE void round_loads(pass *p, int padded, law_need need) {
-    double limit = p->w->load_scale.limit;
-    for (int k = 0; k < LOADS; k++) {
-        bool third = k % 3 == 2, force = k < 3;
-        if (need.flat && third == force) continue;
-        if (!need.tangent && !need.clumps && !force) continue;
-        round_column(p->quanta[k], p->scaled[k], limit, padded);
+    const load_scale *q = &p->w->load_scale;
+    for (int k = 0; k < (need.flat ? 2 : 3); k++)
+        round_column(p->force[k], p->b.f[k], q->force, q->limit, padded);
+    if (!need.tangent && !need.clumps) return;
+    for (int k = need.flat ? 2 : 0; k < 3; k++) {
+        round_column(p->ta[k], p->b.ta[k], q->torque, q->limit, padded);
+        if (!need.equal) round_column(p->tb[k], p->b.tb[k], q->torque, q->limit, padded);
     }
 }
 
-LANE_INLINE void add_to(int64_t *sum, int64_t term) {
-    *sum = (int64_t)((uint64_t)*sum + (uint64_t)term);
+#ifdef LANE_ROWS
+LANE_INLINE void add4(int64_t *to, whole4 term) {
+    *(whole4 *)to += term;
+}
+
+LANE_INLINE void to_rows(whole4 *r, const int64_t (*column)[LANES], int i) {
+    whole4 c[4];
+    for (int k = 0; k < 4; k++) c[k] = *(const whole4 *)&column[k][i];
+    TRANSPOSE4(whole4, c, r);
+}
+#endif
+
+LANE_INLINE void add_to(int64_t *to, int64_t term) {
+    *to = (int64_t)((uint64_t)*to + (uint64_t)term);
 }
 
 LANE_INLINE void add_load(load_row *row, const pass *p, int i, bool of_a, law_need need) {
     for (int k = 0; k < (need.flat ? 2 : 3); k++)
-        add_to(&row->force[k], of_a ? p->quanta[k][i] : -p->quanta[k][i]);
+        add_to(&row->force[k], of_a ? p->force[k][i] : -p->force[k][i]);
     if (!need.tangent && !need.clumps) return;
     for (int k = need.flat ? 2 : 0; k < 3; k++)
-        add_to(&row->torque[k], p->quanta[(of_a ? 3 : 6) + k][i]);
+        add_to(&row->torque[k], of_a || need.equal ? p->ta[k][i] : p->tb[k][i]);
+}
+
+/* Rows of the two bodies of a contact; a share adds to bodies of later ones apart. */
+typedef struct load_pair {
+    load_row *a, *b;
+} load_pair_rows;
+
+LANE_INLINE load_pair_rows rows_of(const pass *p, size_t at, law_need need) {
+    const row_store *r = &p->w->rows;
+    size_t a = (size_t)p->list->a[at], b = (size_t)p->list->b[at];
+    if (need.clumps) a = (size_t)r->arm[a].body;
+    if (p->with_walls) return (load_pair_rows){&r->loads[a], NULL};
+    if (need.clumps) b = (size_t)r->arm[b].body;
+    size_t end = p->s->body_end;
+    return (load_pair_rows){&r->loads[a], b < end ? &r->loads[b] : &p->s->overhang[b - end]};
+}
+
+LANE_INLINE void scatter_one(pass *p, size_t begin, int i, law_need need) {
+    load_pair_rows rows = rows_of(p, begin + (size_t)i, need);
+    add_load(rows.a, p, i, true, need);
+    if (rows.b) add_load(rows.b, p, i, false, need);
 }
 
 LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
-    const row_store *r = &p->w->rows;
-    load_row *own = r->loads;
-    size_t end = p->s->body_end;
-    for (int i = 0; i < count; i++) {
-        size_t sa = (size_t)p->list->a[begin + (size_t)i],
-               sb = (size_t)p->list->b[begin + (size_t)i];
-        size_t a = need.clumps ? (size_t)r->body[sa] : sa;
-        add_load(own + a, p, i, true, need);
-        if (p->with_walls) continue;
-        size_t b = need.clumps ? (size_t)r->body[sb] : sb;
-        add_load(b < end ? own + b : p->s->overhang + (b - end), p, i, false, need);
+    int i = 0;
+#ifdef LANE_ROWS
+    for (; i + 4 <= count; i += 4) {
+        whole4 f[4], ta[4], tb[4];
+        to_rows(f, (const int64_t(*)[LANES])p->force, i);
+        to_rows(ta, (const int64_t(*)[LANES])p->ta, i);
+        if (!need.equal) to_rows(tb, (const int64_t(*)[LANES])p->tb, i);
+        for (int k = 0; k < 4; k++) {
+            load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
+            add4(rows.a->force, f[k]), add4(rows.a->torque, ta[k]);
+            if (!rows.b) continue;
+            add4(rows.b->force, -f[k]), add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
+        }
     }
+#endif
+    for (; i < count; i++) scatter_one(p, begin, i, need);
 }
 
 /* ---- walls and readers ----------------------------------------------------------------------- */
@@ -294,7 +400,6 @@ LANE_INLINE void run_list(pass *p, law_need need) {
             load_spheres(p, begin, count, need);
         if (padded > count) pad(p, count, padded);
         run_lanes(p, begin, padded, need);
-        scale_loads(p, padded, need);
         tally_lanes(p, padded);
         if (p->report) report(p, begin, count);
         if (p->mode == CONTACTS_REPORT) continue;
@@ -305,34 +410,38 @@ LANE_INLINE void run_list(pass *p, law_need need) {
 }
 
 /* Every call below has constants for what the scene needs, so each is compiled for its case. */
-LANE_INLINE void run_flat(pass *p, bool linear, bool tangent, bool clumps) {
-    if (p->need.flat)
-        run_list(p, (law_need){linear, tangent, true, clumps});
-    else
-        run_list(p, (law_need){linear, tangent, false, clumps});
-}
-
-LANE_INLINE void run_clumps(pass *p, bool linear, bool tangent) {
+LANE_INLINE void run_hertz(pass *p, bool tangent, bool flat) {
     if (p->need.clumps)
-        run_flat(p, linear, tangent, true);
+        run_list(p, (law_need){false, tangent, flat, true, false});
+    else if (p->need.equal)
+        run_list(p, (law_need){false, tangent, flat, false, true});
     else
-        run_flat(p, linear, tangent, false);
+        run_list(p, (law_need){false, tangent, flat, false, false});
 }
 
-LANE_INLINE void run_tangent(pass *p, bool linear) {
-    if (p->need.tangent)
-        run_clumps(p, linear, true);
+LANE_INLINE void run_linear(pass *p, bool flat) {
+    if (p->need.clumps)
+        run_list(p, (law_need){true, true, flat, true, false});
     else
-        run_clumps(p, linear, false);
+        run_list(p, (law_need){true, true, flat, false, false});
 }
 
 static void run(pass *p) {
+    const law_need *need = &p->need;
     if (p->list->count == 0) return;
     fill_constants(p);
-    if (p->need.linear)
-        run_tangent(p, true);
+    if (need->linear && need->flat)
+        run_linear(p, true);
+    else if (need->linear)
+        run_linear(p, false);
+    else if (need->tangent && need->flat)
+        run_hertz(p, true, true);
+    else if (need->tangent)
+        run_hertz(p, true, false);
+    else if (need->flat)
+        run_hertz(p, false, true);
     else
-        run_tangent(p, false);
+        run_hertz(p, false, false);
 }
 
 static law_choice choice_of(const clast_world *w, contact_mode mode) {
@@ -353,13 +462,15 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     const speciality *k = &w->special;
     pass p;
     p.w = w, p.s = s, p.mode = mode;
-    p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps};
+    memset(p.force, 0, sizeof p.force), memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
+    p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps,
+                        k->one_kind && !k->clumps};
     p.choice = choice_of(w, mode);
     p.tally = (contact_tally){.contacts = 0};
     p.list = &s->contacts, p.with_walls = false;
     p.report = mode == CONTACTS_REPORT ? s->report : NULL;
     run(&p);
-    p.list = &s->walls, p.with_walls = true;
+    p.list = &s->walls, p.with_walls = true, p.need.equal = false;
     p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
     run(&p);
     s->contact_tally = p.tally;

@@ -16,6 +16,7 @@
 #ifndef CLAST_CONTACT_LAW_H
 #define CLAST_CONTACT_LAW_H
 
+#include "engine/lanes.h"
 #include "engine/world.h"
 
 /* Precision of velocities, springs and forces; positions, overlaps and sums are always double. */
@@ -29,15 +30,13 @@ typedef double real;
 
 enum { LANES = 64 };
 
-/* A call left in the loop over lanes would keep it scalar. */
-#define LANE_INLINE __attribute__((always_inline)) static inline
-
 /* What the compiler knows of a scene. */
 typedef struct law_need {
     bool linear;  /* else Hertz */
     bool tangent; /* else no friction and no cohesion: no spring, no torque */
     bool flat;    /* no third coordinate */
     bool clumps;  /* arms from the centres of mass */
+    bool equal;   /* spheres of one radius and mass: wa is the sum of their spins, ta serves both */
 } law_need;
 
 /* What does not change within a pass. Choices are weights of 0 and 1: products and sums with them
@@ -162,8 +161,11 @@ LANE_INLINE three slip_of(const batch *b, int i, three n, law_need need) {
         three at_b = swing3(need, wb, add3(need, ob, lb, n));
         return add3(need, v, 1, add3(need, at_a, -1, at_b));
     }
-    three u = {0, 0, la * wa.z + lb * wb.z};
-    if (!need.flat) u.x = la * wa.x + lb * wb.x, u.y = la * wa.y + lb * wb.y;
+    three u = {0, 0, need.equal ? la * wa.z : la * wa.z + lb * wb.z};
+    if (!need.flat) {
+        u.x = need.equal ? la * wa.x : la * wa.x + lb * wb.x;
+        u.y = need.equal ? la * wa.y : la * wa.y + lb * wb.y;
+    }
     return add3(need, v, -1, swing3(need, u, n));
 }
 
@@ -196,7 +198,7 @@ LANE_INLINE void store_torques(batch *b, int i, three n, three f, three f_t, law
     }
     three m = cross3(need, n, f_t);
     store3(b->ta, i, (three){-la * m.x, -la * m.y, -la * m.z});
-    store3(b->tb, i, (three){-lb * m.x, -lb * m.y, -lb * m.z});
+    if (!need.equal) store3(b->tb, i, (three){-lb * m.x, -lb * m.y, -lb * m.z});
 }
 
 /* Work of the normal force over the last step: mean of the forces at its ends times the change of

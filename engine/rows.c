@@ -26,8 +26,7 @@ static void reserve_spheres(clast_world *w) {
     if (need <= old) return;
     r->centre = memory_lines(w, r->centre, old * sizeof *r->centre, need * sizeof *r->centre);
     if (w->special.clumps) {
-        r->arm = memory_grow(w, r->arm, old, need, sizeof *r->arm);
-        r->body = memory_grow(w, r->body, old, need, sizeof *r->body);
+        r->arm = memory_lines(w, r->arm, old * sizeof *r->arm, need * sizeof *r->arm);
     }
     r->spheres = need;
 }
@@ -46,7 +45,7 @@ void rows_layout(clast_world *w) {
         if (w->special.clumps) r->first[i] = (uint32_t)place;
         for (int k = 0; k < s->spheres; k++, place++) {
             r->centre[place].radius = s->radius[k];
-            if (w->special.clumps) r->body[place] = (int32_t)i;
+            if (w->special.clumps) r->arm[place].body = (int64_t)i;
         }
     }
     if (w->special.clumps) r->first[w->bodies.count] = (uint32_t)place;

@@ -21,6 +21,10 @@ static inline kernel_columns columns_of(const clast_world *w) {
     return c;
 }
 
+static inline void put_arm(arm_row *to, vec3 arm) {
+    to->arm[0] = arm.x, to->arm[1] = arm.y, to->arm[2] = arm.z;
+}
+
 static inline void place_in_plane(const clast_world *w, const kernel_columns *c, size_t i) {
     const shape *s = &w->shapes[w->bodies.shape[i]];
     double qw = c->qw[i], qa = c->q[2][i];
@@ -30,7 +34,7 @@ static inline void place_in_plane(const clast_world *w, const kernel_columns *c,
         vec3 o = to_kernel(w, s->centre[k]);
         vec3 arm = v3(cosine * o.x - sine * o.y, sine * o.x + cosine * o.y, o.z);
         centre_row *to = &w->rows.centre[e];
-        w->rows.arm[e] = arm;
+        put_arm(&w->rows.arm[e], arm);
         to->x = c->x[0][i] + arm.x, to->y = c->x[1][i] + arm.y, to->z = c->x[2][i] + arm.z;
     }
 }
@@ -42,7 +46,7 @@ static inline void place_in_space(const clast_world *w, const kernel_columns *c,
     for (int k = 0; k < s->spheres; k++, e++) {
         vec3 arm = m3_apply(&r, s->centre[k]);
         centre_row *to = &w->rows.centre[e];
-        w->rows.arm[e] = arm;
+        put_arm(&w->rows.arm[e], arm);
         to->x = c->x[0][i] + arm.x, to->y = c->x[1][i] + arm.y, to->z = c->x[2][i] + arm.z;
     }
 }

@@ -57,14 +57,19 @@ typedef struct centre_row {
 
 typedef struct motion_row {
     double v[3]; /* m/s */
-    double w[3]; /* rad/s */
     double mass; /* kg */
+    double w[3]; /* rad/s */
     int64_t material;
 } motion_row;
 
-typedef struct load_row {
-    int64_t force[3], torque[3]; /* fixed point, torque about the centre of mass */
-    int64_t spare[2];
+typedef struct arm_row {
+    double arm[3]; /* m, from the centre of mass to the centre of the sphere */
+    int64_t body;  /* slot */
+} arm_row;
+
+typedef struct load_row { /* fixed point; [3] is not used */
+    int64_t force[4];
+    int64_t torque[4]; /* about the centre of mass */
 } load_row;
 
 typedef struct row_store {
@@ -72,8 +77,7 @@ typedef struct row_store {
     motion_row *motion;     /* per body */
     load_row *loads;        /* per body; zero between the kick and the contact pass */
     centre_row *centre;     /* per sphere */
-    vec3 *arm;              /* per sphere: from the centre of mass; worlds of clumps alone */
-    int32_t *body;          /* per sphere: slot; worlds of clumps alone */
+    arm_row *arm;           /* per sphere; worlds of clumps alone */
     uint32_t *first;        /* per body and one more: its first sphere; worlds of clumps alone */
 } row_store;
 
@@ -342,7 +346,7 @@ static inline vec3 from_kernel(const clast_world *w, vec3 a) {
 /* ---- places ---------------------------------------------------------------------------------- */
 
 static inline size_t body_of_sphere(const clast_world *w, size_t sphere) {
-    return w->special.clumps ? (size_t)w->rows.body[sphere] : sphere;
+    return w->special.clumps ? (size_t)w->rows.arm[sphere].body : sphere;
 }
 
 static inline size_t first_sphere(const clast_world *w, size_t slot) {

@@ -4,7 +4,7 @@
 
 #include "engine/contact_law.h"
 
-enum { NEEDS = 16 };
+enum { NEEDS = 24, EQUAL = 16 }; /* from EQUAL on: equal spheres */
 
 /* A batch with its histories: overlap, normal force, spring. */
 typedef struct lanes {
@@ -13,7 +13,7 @@ typedef struct lanes {
 } lanes;
 
 static inline law_need need_of(int k) {
-    return (law_need){(k & 1) != 0, (k & 2) != 0, (k & 4) != 0, (k & 8) != 0};
+    return (law_need){(k & 1) != 0, (k & 2) != 0, (k & 4) != 0, (k & 8) != 0, k >= EQUAL};
 }
 
 /* Geometry and law over the first `count` lanes; need: bits as in need_of(). */

@@ -14,13 +14,11 @@ LANE_INLINE void run(lanes *l, int count, law_choice choice, law_need need) {
 }
 
 void LAW_RUN(lanes *l, int count, law_choice choice, int need) {
-    switch (need) {
 #define CASE(k)                                                                                    \
     case k:                                                                                        \
         run(l, count, choice, need_of(k));                                                         \
         break;
-        CASE(0)
-        CASE(1) CASE(2) CASE(3) CASE(4) CASE(5) CASE(6) CASE(7) CASE(8) CASE(9) CASE(10) CASE(11)
-            CASE(12) CASE(13) CASE(14) default : CASE(15)
-    }
+#define EIGHT(k)                                                                                   \
+    CASE(k) CASE(k + 1) CASE(k + 2) CASE(k + 3) CASE(k + 4) CASE(k + 5) CASE(k + 6) CASE(k + 7)
+    switch (need) { EIGHT(0) EIGHT(8) EIGHT(16) }
 }
