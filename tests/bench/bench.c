@@ -6,6 +6,7 @@
  *     clast_bench --export SCENE [--states DIR] [--out DIR]     the settled state for the peers
  *     clast_bench --physics SCENE STEP... [--states DIR] [--out DIR]   dumps of a run from there
  *     clast_bench --judge SCENE DUMP                            what a dump of any code holds
+ *     clast_bench --list
  *
  * Writes DIR/bench.csv, bench-stages.csv and, with several instruction sets, bench-isa.csv. Every
  * run is a process of its own; rounds go over all configurations, and the median of the rounds
@@ -119,10 +120,9 @@ static void fill_in(options *o) {
     static const char *const QUICK[] = {"A20k", "B", "G100"};
     if (o->scene_count == 0 && o->quick)
         for (int i = 0; i < 3; i++) take_scene(o, QUICK[i]);
-    for (int i = 0; o->scene_count == 0 || i < bench_scene_count; i++) {
-        if (o->scene_count > i) break;
-        o->scenes[o->scene_count++] = &bench_scenes[i];
-    }
+    bool all = o->scene_count == 0;
+    for (int i = 0; all && i < bench_scene_count; i++)
+        if (!bench_scenes[i].aside) o->scenes[o->scene_count++] = &bench_scenes[i];
     if (o->thread_count == 0) take_threads(o, "1"), take_threads(o, "2");
     if (o->isa_count == 0) o->isa[o->isa_count++] = CLAST_ISA_AUTO;
     if (o->runs == 0) o->runs = o->quick ? 1 : 3;
@@ -315,6 +315,7 @@ static int task(const options *o) {
 
 int main(int argc, char **argv) {
     if (argc == 9 && strcmp(argv[1], "--one") == 0) return one(argv + 2);
+    if (argc == 2 && strcmp(argv[1], "--list") == 0) return bench_list();
     options o = read_options(argc, argv);
     return o.task ? task(&o) : bench(&o);
 }

@@ -179,6 +179,32 @@ static void put_simple_damping(FILE *f, const bench_law *l, double mass, double 
     put(f, "gamman", g), put(f, "gammat", 0.9 * g);
 }
 
+/* A chain of touching spheres: mass, and moments about and across its axis. */
+static void put_chain(FILE *f, int spheres, double mass, double radius) {
+    double along = 0.4 * mass * radius * radius * spheres, across = along;
+    for (int k = 0; k < spheres; k++) {
+        double arm = radius * (2 * k - spheres + 1);
+        across += mass * arm * arm;
+    }
+    put(f, "bodymass", spheres * mass), put(f, "inertiaalong", along);
+    put(f, "inertiaacross", across);
+}
+
+/* One chain along x, as LIGGGHTS reads it: x y z r. */
+static void write_clump(FILE *f, int spheres, double radius) {
+    for (int k = 0; k < spheres; k++)
+        fprintf(f, "%.17g 0 0 %.17g\n", radius * (2 * k - spheres + 1), radius);
+}
+
+/* In the peers' frame: gravity, and the speed of the floor along x. */
+static void put_surroundings(FILE *f, clast_world *w) {
+    const clast_world_def *d = clast_world_definition(w);
+    double g[3];
+    to_peers(g, d->gravity, d->motion == CLAST_MOTION_IN_PLANE);
+    put(f, "gx", g[0]), put(f, "gy", g[1]), put(f, "gz", g[2]);
+    put(f, "belt", clast_world_wall(w, 0).belt_velocity.x);
+}
+
 int bench_export(const bench_scene *scene, const char *states, const char *out) {
     bench_wish wish = {.threads = 1, .fresh = true};
     clast_world *w = bench_scene_open(scene, &wish, states);
@@ -191,11 +217,32 @@ int bench_export(const bench_scene *scene, const char *states, const char *out) 
     put(f, "step", scene->dt), put(f, "radius", a.radius), put(f, "mass", a.mass);
     fprintf(f, "variable spheres equal %d\n", scene->spheres);
     put_law(f, &law);
+    put_chain(f, scene->spheres, a.mass, a.radius);
     put_simple_damping(f, &law, a.mass * scene->spheres, a.radius);
-    put(f, "half", scene->recipe->half_width(scene));
+    double half[2];
+    scene->recipe->half_size(scene, half);
+    put(f, "halfx", half[0]), put(f, "halfy", half[1]);
+    put_surroundings(f, w);
     fclose(f);
+    if (scene->spheres > 1) {
+        f = open_out(out, scene->name, ".clump");
+        write_clump(f, scene->spheres, a.radius);
+        fclose(f);
+    }
     free(a.all);
     clast_world_free(w);
+    return 0;
+}
+
+int bench_list(void) {
+    for (int i = 0; i < bench_scene_count; i++) {
+        const bench_scene *s = &bench_scenes[i];
+        bench_wish wish = {.threads = 1};
+        clast_world *w = s->recipe->world(s, &wish, BENCH_RUNNING);
+        printf("%s %zu %d %g %" PRIu64 " %" PRIu64 " %.9g %s\n", s->name, s->bodies, s->spheres,
+               s->dt, s->steps, s->warm, clast_world_shape(w, 0).radius[0], s->recipe->kind);
+        clast_world_free(w);
+    }
     return 0;
 }
 

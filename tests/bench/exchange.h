@@ -14,6 +14,9 @@ int bench_export(const bench_scene *scene, const char *states, const char *out);
 int bench_physics(const bench_scene *scene, const char *const *steps, int count, const char *states,
                   const char *out);
 
+/* The scenes, one a line: name bodies spheres-per-body step-s steps warm-steps radius-m kind. */
+int bench_list(void);
+
 /* Prints what a dump of any code holds: contacts per sphere, energies of motion, heights, spheres
  * below z = 0. */
 int bench_judge(const bench_scene *scene, const char *dump);

@@ -22,20 +22,23 @@ typedef struct bench_law {
 } bench_law;
 
 typedef struct bench_recipe {
+    const char *kind; /* "box", "hopper", "grate": what a peer's input file must build */
     /* Walls, materials and the one shape; no bodies. */
     clast_world *(*world)(const bench_scene *scene, const bench_wish *wish, bench_stage stage);
     /* The loose start that settles. */
     void (*fill)(clast_world *w, const bench_scene *scene);
-    bench_law (*law)(void);                         /* while running */
-    double (*half_width)(const bench_scene *scene); /* m, of box, hopper or channel */
-    int threads;                                    /* of the settling run */
-    double fall;                                    /* s, at least so long */
-    double limit;                                   /* s, at most so long */
+    bench_law (*law)(void);                                      /* while running */
+    void (*half_size)(const bench_scene *scene, double half[2]); /* m: side walls, in x and y */
+    int threads;                                                 /* of the settling run */
+    double (*fall)(const bench_scene *scene);                    /* s, then it comes to rest */
+    double limit;                                                /* s, at most so long after that */
 } bench_recipe;
 
-extern const bench_recipe bench_box;    /* A: scene_box.c */
-extern const bench_recipe bench_hopper; /* B, C: scene_hopper.c */
-extern const bench_recipe bench_grate;  /* G: scene_grate.c */
+extern const bench_recipe bench_box;     /* A: scene_box.c */
+extern const bench_recipe bench_hopper;  /* B, C: scene_hopper.c */
+extern const bench_recipe bench_grate;   /* G: scene_grate.c */
+extern const bench_recipe bench_channel; /* P: scene_channel.c */
+extern const bench_recipe bench_silo;    /* D: scene_silo.c, where meshes/ is built */
 
 /* A definition with what all scenes share: gravity, law, step, threads, guards. */
 clast_world_def bench_def(const bench_scene *scene, const bench_wish *wish);
@@ -50,6 +53,9 @@ void bench_body(clast_world *w, clast_vec3 position, double angle, clast_vec3 ve
 /* An endless plane through `point` that pushes along `normal`. */
 void bench_plane(clast_world *w, int part, const char *name, int material, clast_vec3 point,
                  clast_vec3 normal);
+
+/* A floor at z = 0, whose surface runs along x at `belt` m/s, and four sides, by planes. */
+void bench_box_walls(clast_world *w, int part, double half_x, double half_y, double belt);
 
 /* Uniform in [low, high): number `counter` of stream `stream`. */
 double bench_uniform(uint64_t stream, uint64_t counter, double low, double high);

@@ -8,22 +8,30 @@
 
 const bench_scene bench_scenes[] = {
     {"A20k", "20 000 spheres d 10 mm at rest in an open box", 20000, 1, 5e-5, 1500, 300,
-     &bench_box},
+     .recipe = &bench_box},
     {"A100k", "100 000 spheres d 10 mm at rest in an open box", 100000, 1, 5e-5, 300, 100,
-     &bench_box},
+     .recipe = &bench_box},
     {"B", "5000 spheres d 20 mm in one layer, hopper 1 m wide, discharging through 0.7 m", 5000, 1,
-     1e-5, 6000, 1000, &bench_hopper},
-    {"C2", "as B, rigid chains of 2 spheres", 5000, 2, 1e-5, 3000, 1000, &bench_hopper},
-    {"C4", "as B, rigid chains of 4 spheres", 5000, 4, 1e-5, 1500, 500, &bench_hopper},
+     1e-5, 6000, 1000, .recipe = &bench_hopper},
+    {"C2", "as B, rigid chains of 2 spheres", 5000, 2, 1e-5, 3000, 1000, .recipe = &bench_hopper},
+    {"C4", "as B, rigid chains of 4 spheres", 5000, 4, 1e-5, 1500, 500, .recipe = &bench_hopper},
+#ifdef CLAST_BENCH_SILO
+    {"D", "20 000 spheres d 10 mm at rest in a silo of 2000 triangles", 20000, 1, 5e-5, 1500, 300,
+     .recipe = &bench_silo},
+#endif
     {"G100", "100 spheres d 15 mm on 11 slowly moving bars", 100, 1, 5e-5, 120000, 2000,
-     &bench_grate},
+     .recipe = &bench_grate},
     {"G300", "300 spheres d 15 mm on 11 slowly moving bars", 300, 1, 5e-5, 80000, 2000,
-     &bench_grate},
+     .recipe = &bench_grate},
+    {"P100", "as G100, at rest on a plane", 100, 1, 5e-5, 120000, 2000, .recipe = &bench_channel,
+     .aside = true},
+    {"P300", "as G300, at rest on a plane", 300, 1, 5e-5, 80000, 2000, .recipe = &bench_channel,
+     .aside = true},
 };
 const int bench_scene_count = sizeof bench_scenes / sizeof *bench_scenes;
 
 /* Counts up whenever a settled state of an older recipe must not be used any more. */
-enum { STATE_VERSION = 1 };
+enum { STATE_VERSION = 3 };
 
 const bench_scene *bench_scene_find(const char *name) {
     for (int i = 0; i < bench_scene_count; i++)
@@ -73,6 +81,16 @@ void bench_plane(clast_world *w, int part, const char *name, int material, clast
                        &(clast_wall_def){name, CLAST_WALL_PLANE, material, .point = point,
                                          .normal = normal}) < 0)
         bench_fail(w, name);
+}
+
+void bench_box_walls(clast_world *w, int part, double half_x, double half_y, double belt) {
+    clast_wall_def floor = {"floor", CLAST_WALL_PLANE, BENCH_WALL, .normal = {0, 0, 1},
+                            .belt_velocity = {belt, 0, 0}};
+    if (clast_wall_add(w, part, &floor) < 0) bench_fail(w, "floor");
+    bench_plane(w, part, "left", BENCH_WALL, (clast_vec3){-half_x, 0, 0}, (clast_vec3){1, 0, 0});
+    bench_plane(w, part, "right", BENCH_WALL, (clast_vec3){half_x, 0, 0}, (clast_vec3){-1, 0, 0});
+    bench_plane(w, part, "front", BENCH_WALL, (clast_vec3){0, -half_y, 0}, (clast_vec3){0, 1, 0});
+    bench_plane(w, part, "back", BENCH_WALL, (clast_vec3){0, half_y, 0}, (clast_vec3){0, -1, 0});
 }
 
 void bench_body(clast_world *w, clast_vec3 position, double angle, clast_vec3 velocity) {

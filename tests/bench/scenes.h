@@ -17,6 +17,7 @@ typedef struct bench_scene {
     uint64_t steps;   /* of one timed run: a second or more on one core */
     uint64_t warm;    /* steps before the timed ones */
     const struct bench_recipe *recipe;
+    bool aside; /* only for the peers, or by name */
 } bench_scene;
 
 extern const bench_scene bench_scenes[];

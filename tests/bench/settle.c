@@ -2,6 +2,7 @@
 #include "tests/bench/recipe.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <time.h>
 
 /* At rest: mean energy of motion per body below this part of its weight times one radius. */
@@ -37,17 +38,21 @@ static void save(clast_world *w, const char *path) {
 
 void bench_settle(const bench_scene *scene, const char *path) {
     const bench_recipe *r = scene->recipe;
-    double start = seconds();
+    double start = seconds(), fall = r->fall(scene);
     fprintf(stderr, "bench: settling %s ...", scene->name);
     clast_world *w = world_of(scene, BENCH_FALLING);
     r->fill(w, scene);
-    if (clast_world_run(w, r->fall)) bench_fail(w, "falling");
+    if (clast_world_run(w, fall)) bench_fail(w, "falling");
     save(w, path);
     w = world_of(scene, BENCH_RESTING);
     if (clast_checkpoint_inherit(w, path)) bench_fail(w, "inherit");
     do bench_steps(w, 200);
     while (unrest(w) > 1 && clast_world_time(w) < r->limit);
     fprintf(stderr, " %.2f s of simulation in %.0f s, energy of motion %.1e of the limit of rest\n",
-            r->fall + clast_world_time(w), seconds() - start, unrest(w));
+            fall + clast_world_time(w), seconds() - start, unrest(w));
+    if (unrest(w) > 1) {
+        fprintf(stderr, "bench: %s does not come to rest\n", scene->name);
+        exit(1);
+    }
     save(w, path);
 }
