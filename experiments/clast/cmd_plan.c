@@ -245,6 +245,10 @@ static int plan(const arguments *a, const scene *s) {
     printf("%s: %s\n", s->path, s->title);
     printf("kernel: %s\n", p.kernel);
     printf("threads: %d, lanes: %s, skin: %.3g mm\n", p.threads, p.isa, 1e3 * p.skin);
+    printf("precision: %s\n", def->precision == CLAST_PRECISION_MIXED
+                                  ? "mixed (positions, overlaps and sums double, the rest at "
+                                    "contacts single)"
+                                  : "double");
     print_step(&p, def, s->step_given);
     int layer = find_layer(s); /* before the timing moves anything */
     double each = time_steps(s->world, a->steps);

@@ -26,6 +26,7 @@ static const char *const MOTIONS[] = {"3d", "in-plane x", "in-plane y", "in-plan
 static const char *const OUTSIDES[] = {"stop", "remove", NULL};
 static const char *const GUARDS[] = {"stop", "report", NULL};
 static const char *const ISAS[] = {"auto", "baseline", "avx2", "avx512", NULL};
+static const char *const PRECISIONS[] = {"double", "mixed", NULL};
 static const char *const ORIENTATIONS[] = {"fixed", "random", "random-in-plane", NULL};
 static const char *const PRESETS[] = {"draft", "final", NULL};
 static const char *const COLOURS[] = {"speed", "speed-bands", "initial-height", "body", NULL};
@@ -41,6 +42,7 @@ _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
 _Static_assert(CLAST_GUARD_STOP == 0 && CLAST_GUARD_REPORT == 1, "");
 _Static_assert(CLAST_ISA_AUTO == 0 && CLAST_ISA_BASELINE == 1 && CLAST_ISA_AVX2 == 2 &&
                CLAST_ISA_AVX512 == 3, "");
+_Static_assert(CLAST_PRECISION_DOUBLE == 0 && CLAST_PRECISION_MIXED == 1, "");
 _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HEIGHT == 2 &&
                COLOUR_BODY == 3, "");
 
@@ -480,6 +482,8 @@ static const scene_key SCENE_KEYS[] = {
     {"time", KEY_SECTION, .section = &TIME, .required = true, .meaning = "end and step"},
     {"domain", KEY_SECTION, .section = &DOMAIN, .meaning = "where bodies may be"},
     {"guards", KEY_SECTION, .section = &GUARD, .meaning = "when a run has failed"},
+    {"precision", KEY_CHOICE, FIELD(def.precision), .choices = PRECISIONS, .fallback = "double",
+     .meaning = "of numbers at contacts; mixed: forces, springs and velocities there single"},
     {"engine", KEY_SECTION, .section = &ENGINE, .meaning = "speed; never changes a result"},
     {"output", KEY_SECTION, .section = &OUTPUT, .meaning = "what is written"},
     {"measures", KEY_NAMED, FIELD(measures), .section = &MEASURE,

@@ -188,6 +188,7 @@ static void the_world_is_defined(void **state) {
     assert_int_equal(d->threads, 1);
     assert_int_equal(d->isa, CLAST_ISA_BASELINE);
     SAME(d->skin, 0.001);
+    assert_int_equal(d->precision, CLAST_PRECISION_MIXED);
     assert_int_equal(d->seed, 77);
     SAME(clast_world_time_step(s->world), 4.5e-6);
     scene_free(s);
@@ -317,6 +318,7 @@ static void what_is_left_out_has_its_default(void **state) {
     SAME(d->max_overlap, engine.max_overlap);
     SAME(d->max_displacement, engine.max_displacement);
     SAME(d->max_residual, engine.max_residual);
+    assert_int_equal(d->precision, CLAST_PRECISION_DOUBLE);
     assert_int_equal(d->seed, 1);
     SAME(s->output.frame_every, 0.04);
     SAME(s->output.series_every, 0.01);
@@ -381,6 +383,35 @@ static void options_win_over_the_scene(void **state) {
     assert_int_equal(clast_world_definition(s->world)->isa, CLAST_ISA_BASELINE);
     scene_free(s);
     free(faults);
+}
+
+/* A precision is a choice of the scene; a state of the other one may be the start, not the middle.
+ */
+static void precisions_do_not_mix(void **state) {
+    (void)state;
+    static const char PATH[] = CLAST_SCENE_SCRATCH "/mixed.yaml";
+    static const char CHECKPOINT[] = CLAST_SCENE_SCRATCH "/checkpoint.h5";
+    scene *full = load(SMALL, NULL, 0);
+    assert_null(strstr(clast_world_plan(full->world).kernel, "mixed"));
+    assert_int_equal(clast_world_run(full->world, 0.01), CLAST_OK);
+    assert_int_equal(clast_checkpoint_save(full->world, CHECKPOINT, NULL), CLAST_OK);
+    char *small = read_all(SMALL, NULL), text[3000];
+    snprintf(text, sizeof text, "%sprecision: mixed\n", small);
+    write_all(PATH, text, strlen(text));
+    scene *mixed = load(PATH, NULL, 0);
+    assert_non_null(strstr(clast_world_plan(mixed->world).kernel, "mixed precision"));
+    assert_int_equal(clast_checkpoint_load(mixed->world, CHECKPOINT, NULL), CLAST_ERR_MISMATCH);
+    assert_non_null(strstr(clast_world_error(mixed->world), "precision"));
+    scene_free(mixed);
+    char *bodies = strstr(text, "bodies:");
+    snprintf(bodies, sizeof text - (size_t)(bodies - text), "%s",
+             "bodies:\n  - {from: " CLAST_SCENE_SCRATCH "}\ntime: {end: 1 s}\nprecision: mixed\n");
+    write_all(PATH, text, strlen(text));
+    mixed = load(PATH, NULL, 0);
+    assert_int_equal(clast_world_run(mixed->world, 0.01), CLAST_OK);
+    scene_free(mixed);
+    scene_free(full);
+    free(small);
 }
 
 /* README.md embeds the output of `clast check --keys`: the tables cannot drift from the code. */
@@ -495,6 +526,7 @@ int main(void) {
         cmocka_unit_test(set_replaces_parameters),
         cmocka_unit_test(set_is_checked),
         cmocka_unit_test(options_win_over_the_scene),
+        cmocka_unit_test(precisions_do_not_mix),
         cmocka_unit_test(the_readme_has_the_reference),
         cmocka_unit_test(bodies_are_inherited),
         cmocka_unit_test(another_shape_cannot_be_inherited),
