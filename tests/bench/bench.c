@@ -3,12 +3,14 @@
  *     clast_bench [--scenes A20k,B] [--threads 1,2] [--isa baseline,avx2,avx512] [--runs 3]
  * [--quick]
  *                 [--states DIR] [--out DIR]
+ *     clast_bench --scaling [--threads 1,2] [--runs 3] [--states DIR] [--out DIR]
  *     clast_bench --export SCENE [--states DIR] [--out DIR]     the settled state for the peers
  *     clast_bench --physics SCENE STEP... [--states DIR] [--out DIR]   dumps of a run from there
  *     clast_bench --judge SCENE DUMP                            what a dump of any code holds
  *     clast_bench --list
  *
- * Writes DIR/bench.csv, bench-stages.csv and, with several instruction sets, bench-isa.csv. Every
+ * Writes DIR/bench.csv, bench-stages.csv and, with several instruction sets, bench-isa.csv; with
+ * --scaling bench-scaling.csv alone. Every
  * run is a process of its own; rounds go over all configurations, and the median of the rounds
  * counts. */
 #include "tests/bench/exchange.h"
@@ -19,6 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { MAX_SCENES = 32, MAX_THREADS = 8, MAX_ISA = 4, MAX_RUNS = 25, MAX_ROWS = 256 };
 
@@ -28,7 +31,7 @@ typedef struct options {
     const bench_scene *scenes[MAX_SCENES];
     int scene_count, threads[MAX_THREADS], thread_count, isa[MAX_ISA], isa_count;
     int runs;
-    bool quick, fresh;
+    bool quick, fresh, scaling;
     const char *states, *out, *program;
     const char *task, *subject; /* --export, --physics, --judge and what they are about */
     const char *rest[16];
@@ -36,6 +39,8 @@ typedef struct options {
 } options;
 
 typedef struct row {
+    bool main;    /* of bench.csv; the others compare instruction sets */
+    bool refused; /* this processor lacks the instruction set */
     bench_order order;
     bench_sample samples[MAX_RUNS];
     int count;
@@ -92,6 +97,7 @@ static void take_isa(options *o, const char *word) {
 static bool take_flag(options *o, const char *name) {
     if (strcmp(name, "--quick") == 0) return o->quick = true;
     if (strcmp(name, "--fresh") == 0) return o->fresh = true;
+    if (strcmp(name, "--scaling") == 0) return o->scaling = true;
     return false;
 }
 
@@ -116,13 +122,22 @@ static void take_value(options *o, const char *name, char *value) {
         usage("no such option: ", name);
 }
 
+/* Beds like A from 1000 to 1 000 000. */
+static void take_scaling(options *o) {
+    static const char *const SIZES[] = {"S1k",  "S3k",   "S10k",  "A20k",
+                                        "S40k", "A100k", "S300k", "S1M"};
+    o->scene_count = 0;
+    for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++) take_scene(o, SIZES[i]);
+}
+
 static void fill_in(options *o) {
     static const char *const QUICK[] = {"A20k", "B", "G100"};
     if (o->scene_count == 0 && o->quick)
         for (int i = 0; i < 3; i++) take_scene(o, QUICK[i]);
+    if (o->scaling) take_scaling(o);
     bool all = o->scene_count == 0;
     for (int i = 0; all && i < bench_scene_count; i++)
-        if (!bench_scenes[i].aside) o->scenes[o->scene_count++] = &bench_scenes[i];
+        if (bench_scenes[i].use == BENCH_USE_ALL) o->scenes[o->scene_count++] = &bench_scenes[i];
     if (o->thread_count == 0) take_threads(o, "1"), take_threads(o, "2");
     if (o->isa_count == 0) o->isa[o->isa_count++] = CLAST_ISA_AUTO;
     if (o->runs == 0) o->runs = o->quick ? 1 : 3;
@@ -150,9 +165,11 @@ static int plan_rows(const options *o, row *rows) {
     for (int s = 0; s < o->scene_count; s++)
         for (int t = 0; t < o->thread_count; t++)
             for (int i = 0; i < o->isa_count && count < MAX_ROWS; i++) {
+                if (i > 0 && t > 0) continue; /* the others on one count of threads alone */
                 const bench_scene *scene = o->scenes[s];
                 bench_wish wish = {o->threads[t], (clast_isa)o->isa[i], o->fresh};
                 uint64_t part = o->quick ? 20 : 1;
+                rows[count].main = i == 0;
                 rows[count++].order =
                     (bench_order){scene, wish, scene->steps / part + 1, scene->warm / part};
             }
@@ -168,16 +185,24 @@ static void make_states(const options *o) {
     }
 }
 
+static void measure_row(const options *o, row *r) {
+    bench_sample *s = &r->samples[r->count];
+    r->refused = !bench_sample_take(&r->order, o->program, o->states, s);
+    if (r->refused && r->main) exit(1);
+    if (r->refused) return;
+    if (s->hash != r->samples[0].hash) usage("hashes differ between runs", "");
+    r->count++;
+}
+
 static void measure(const options *o, row *rows, int count) {
     for (int run = 0; run < o->runs; run++)
         for (int i = 0; i < count; i++) {
-            fprintf(stderr, "\rround %d of %d: %-6s %d threads ", run + 1, o->runs,
-                    rows[i].order.scene->name, rows[i].order.wish.threads);
-            bench_sample *s = &rows[i].samples[rows[i].count++];
-            if (!bench_sample_take(&rows[i].order, o->program, o->states, s)) exit(1);
-            if (s->hash != rows[i].samples[0].hash) usage("hashes differ between runs", "");
+            if (isatty(STDERR_FILENO))
+                fprintf(stderr, "\rround %d of %d: %-6s %d threads ", run + 1, o->runs,
+                        rows[i].order.scene->name, rows[i].order.wish.threads);
+            if (!rows[i].refused) measure_row(o, &rows[i]);
         }
-    fprintf(stderr, "\r%-50s\r", "");
+    if (isatty(STDERR_FILENO)) fprintf(stderr, "\r%-50s\r", "");
 }
 
 static int by_wall(const void *a, const void *b) {
@@ -231,7 +256,23 @@ static void write_isa(FILE *f, const row *r, const bench_sample *s) {
             s->isa, s->wall, speed_of(s), s->hash);
 }
 
-/* The first of several instruction sets gives the rows of bench.csv. */
+static void write_scaling(const options *o, row *rows, int count) {
+    FILE *f =
+        table(o, "bench-scaling.csv",
+              "scene,spheres,threads,ns_per_sphere_step,neighbours_ns,load_s,first_step_s,frame_s,"
+              "bytes_per_sphere,engine_bytes_per_sphere");
+    for (int i = 0; i < count; i++) {
+        const bench_sample *s = median_of(&rows[i]);
+        double n = (double)s->spheres, work = (double)s->steps * n;
+        fprintf(f, "%s,%zu,%d,%.3f,%.3f,%.4f,%.4f,%.4f,%.1f,%.1f\n", rows[i].order.scene->name,
+                s->spheres, rows[i].order.wish.threads, 1e9 * s->wall / work,
+                1e9 * s->stage[2] / work, s->load, s->first, s->frame, (double)s->peak_bytes / n,
+                (double)s->engine_bytes / n);
+    }
+    fclose(f);
+}
+
+/* bench.csv has the main rows; bench-isa.csv those that name an instruction set. */
 static void write_tables(const options *o, row *rows, int count) {
     FILE *all = table(o, "bench.csv",
                       "scene,threads,spheres,steps,wall_s,cpu_s,msteps_per_s,bytes_per_sphere");
@@ -242,9 +283,10 @@ static void write_tables(const options *o, row *rows, int count) {
                     ? table(o, "bench-isa.csv", "scene,threads,isa,wall_s,msteps_per_s,hash")
                     : NULL;
     for (int i = 0; i < count; i++) {
+        if (rows[i].refused) continue;
         const bench_sample *s = median_of(&rows[i]);
-        if (isa) write_isa(isa, &rows[i], s);
-        if (i % o->isa_count) continue;
+        if (isa && rows[i].order.wish.isa != CLAST_ISA_AUTO) write_isa(isa, &rows[i], s);
+        if (!rows[i].main) continue;
         write_main_row(all, &rows[i], s);
         write_stages(stages, &rows[i], s);
     }
@@ -256,28 +298,30 @@ static void write_tables(const options *o, row *rows, int count) {
 
 static void print_row(row *r) {
     const bench_sample *s = median_of(r);
-    double us = 1e6 * s->wall / (double)s->steps;
-    printf("%-6s %d %-8s %8zu %8" PRIu64 " %8.3f %8.3f %9.2f %8.2f %6.0f %6.0f |",
+    double n = (double)s->spheres, steps = (double)s->steps;
+    printf("%-6s %d %-8s %8zu %8" PRIu64 " %8.3f %8.3f %9.2f %8.2f | %7.0f %6.0f %6.0f |",
            r->order.scene->name, r->order.wish.threads, s->isa, s->spheres, s->steps, s->wall,
-           s->cpu, us, speed_of(s), (double)s->peak_bytes / (double)s->spheres,
-           (double)s->engine_bytes / (double)s->spheres);
-    for (int i = 0; i < BENCH_STAGES; i++)
-        printf(" %5.1f", 1e9 * s->stage[i] / (double)s->steps / (double)s->spheres);
-    printf(" | %5.2f %5.2f %6.1f\n", (double)s->contacts / (double)s->spheres,
-           (double)s->candidates / (double)s->spheres,
-           s->rebuilds ? (double)s->steps / (double)s->rebuilds : 0.0);
+           s->cpu, 1e6 * s->wall / steps, speed_of(s), (double)s->peak_bytes / n,
+           (double)s->now_bytes / n, (double)s->engine_bytes / n);
+    for (int i = 0; i < BENCH_STAGES; i++) printf(" %6.1f", 1e9 * s->stage[i] / steps / n);
+    printf(" | %8.2f %10.2f %8.1f\n", (double)s->contacts / n, (double)s->candidates / n,
+           s->rebuilds ? steps / (double)s->rebuilds : 0.0);
 }
 
 static void print_table(const options *o, row *rows, int count) {
-    printf("median of %d runs; ledger and guards on; M/s: million sphere-steps per second\n",
-           o->runs);
-    printf("%-6s %s %-8s %8s %8s %8s %8s %9s %8s %6s %6s | ns per sphere and step %8s | %s\n",
-           "scene", "t", "isa", "spheres", "steps", "wall s", "cpu s", "us/step", "M/s", "B/sph",
-           "engine", "", "per sphere: contacts, candidates; steps per rebuild");
-    printf("%88s |", "");
-    for (int i = 0; i < BENCH_STAGES; i++) printf(" %5.5s", bench_stage_names[i]);
-    printf(" |\n");
-    for (int i = 0; i < count; i++) print_row(&rows[i]);
+    printf(
+        "Median of %d runs; ledger and guards on. M/s: million sphere-steps per second. Bytes per "
+        "sphere: peak of the\nprocess, reading the state included; resident while it steps; "
+        "counted by the engine. 0 steps per rebuild: none.\n\n",
+        o->runs);
+    printf("%69s | %21s | %-34s | %s\n", "", "bytes per sphere", "ns per sphere and step",
+           "per sphere          steps per");
+    printf("%-6s %s %-8s %8s %8s %8s %8s %9s %8s | %7s %6s %6s |", "scene", "t", "isa", "spheres",
+           "steps", "wall s", "cpu s", "us/step", "M/s", "peak", "now", "engine");
+    for (int i = 0; i < BENCH_STAGES; i++) printf(" %6.6s", bench_stage_names[i]);
+    printf(" | contacts candidates  rebuild\n");
+    for (int i = 0; i < count; i++)
+        if (!rows[i].refused) print_row(&rows[i]);
 }
 
 /* ---- tasks ----------------------------------------------------------------------------------- */
@@ -288,7 +332,10 @@ static int bench(const options *o) {
     int count = plan_rows(o, rows);
     make_states(o);
     measure(o, rows, count);
-    write_tables(o, rows, count);
+    if (o->scaling)
+        write_scaling(o, rows, count);
+    else
+        write_tables(o, rows, count);
     print_table(o, rows, count);
     free(rows);
     return 0;

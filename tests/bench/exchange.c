@@ -239,8 +239,9 @@ int bench_list(void) {
         const bench_scene *s = &bench_scenes[i];
         bench_wish wish = {.threads = 1};
         clast_world *w = s->recipe->world(s, &wish, BENCH_RUNNING);
-        printf("%s %zu %d %g %" PRIu64 " %" PRIu64 " %.9g %s\n", s->name, s->bodies, s->spheres,
-               s->dt, s->steps, s->warm, clast_world_shape(w, 0).radius[0], s->recipe->kind);
+        if (s->use != BENCH_USE_SCALING)
+            printf("%s %zu %d %g %" PRIu64 " %" PRIu64 " %.9g %s\n", s->name, s->bodies, s->spheres,
+                   s->dt, s->steps, s->warm, clast_world_shape(w, 0).radius[0], s->recipe->kind);
         clast_world_free(w);
     }
     return 0;

@@ -26,18 +26,19 @@ typedef struct bench_recipe {
     /* Walls, materials and the one shape; no bodies. */
     clast_world *(*world)(const bench_scene *scene, const bench_wish *wish, bench_stage stage);
     /* The loose start that settles. */
-    void (*fill)(clast_world *w, const bench_scene *scene);
+    void (*fill)(clast_world *w, const bench_scene *scene, const char *states);
     bench_law (*law)(void);                                      /* while running */
     void (*half_size)(const bench_scene *scene, double half[2]); /* m: side walls, in x and y */
-    int threads;                                                 /* of the settling run */
-    double (*fall)(const bench_scene *scene);                    /* s, then it comes to rest */
-    double limit;                                                /* s, at most so long after that */
+    int threads;                              /* of the settling run; 0: the engine's choice */
+    double (*fall)(const bench_scene *scene); /* s, then it comes to rest */
+    double limit;                             /* s, at most so long after that */
 } bench_recipe;
 
 extern const bench_recipe bench_box;     /* A: scene_box.c */
 extern const bench_recipe bench_hopper;  /* B, C: scene_hopper.c */
 extern const bench_recipe bench_grate;   /* G: scene_grate.c */
 extern const bench_recipe bench_channel; /* P: scene_channel.c */
+extern const bench_recipe bench_tiles;   /* S: scene_tiles.c */
 extern const bench_recipe bench_silo;    /* D: scene_silo.c, where meshes/ is built */
 
 /* A definition with what all scenes share: gravity, law, step, threads, guards. */
@@ -61,6 +62,6 @@ void bench_box_walls(clast_world *w, int part, double half_x, double half_y, dou
 double bench_uniform(uint64_t stream, uint64_t counter, double low, double high);
 
 /* settle.c: makes states/NAME-*.h5 from the recipe. */
-void bench_settle(const bench_scene *scene, const char *path);
+void bench_settle(const bench_scene *scene, const char *path, const char *states);
 
 #endif

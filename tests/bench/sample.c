@@ -24,6 +24,14 @@ static size_t peak_bytes(void) {
     return (size_t)r.ru_maxrss * 1024;
 }
 
+static size_t now_bytes(void) {
+    unsigned long pages = 0, resident = 0;
+    FILE *f = fopen("/proc/self/statm", "r");
+    if (f && fscanf(f, "%lu %lu", &pages, &resident) != 2) resident = 0;
+    if (f) fclose(f);
+    return (size_t)resident * (size_t)sysconf(_SC_PAGESIZE);
+}
+
 /* Seconds per stage since `before`. */
 static void stages_since(bench_sample *s, const clast_counters *before,
                          const clast_counters *after) {
@@ -44,6 +52,7 @@ static bench_sample run(clast_world *w, const bench_order *order) {
     s.wall = seconds(CLOCK_MONOTONIC) - wall;
     clast_counters after = clast_world_counters(w);
     stages_since(&s, &before, &after);
+    s.now_bytes = now_bytes();
     s.peak_bytes = peak_bytes(); /* before the hash, which is not part of a run */
     s.spheres = after.spheres, s.pairs = after.pairs, s.candidates = after.candidates;
     s.contacts = after.contacts, s.rebuilds = after.rebuilds - before.rebuilds;
@@ -57,16 +66,32 @@ static bench_sample run(clast_world *w, const bench_order *order) {
 
 #define LINE                                                                                       \
     "%lf %lf %lf %lf %lf %lf %lf %" SCNu64 " %zu %zu %zu %zu %" SCNu64 " %zu %zu %" SCNx64         \
-    " %d %15s"
+    " %d %15s %lf %lf %lf %zu"
+
+static double frame_time(clast_world *w, const char *states) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/frame-%ld.h5", states, (long)getpid());
+    double start = seconds(CLOCK_MONOTONIC);
+    if (clast_frame_write(w, path, false)) bench_fail(w, "frame");
+    double end = seconds(CLOCK_MONOTONIC);
+    remove(path);
+    return end - start;
+}
 
 void bench_sample_print(const bench_order *order, const char *states) {
-    clast_world *w = bench_scene_open(order->scene, &order->wish, states);
+    double start = seconds(CLOCK_MONOTONIC);
+    clast_world *w = bench_scene_load(order->scene, &order->wish, states);
+    double loaded = seconds(CLOCK_MONOTONIC);
+    bench_steps(w, 1);
+    double stepped = seconds(CLOCK_MONOTONIC);
     bench_sample s = run(w, order);
+    s.load = loaded - start, s.first = stepped - loaded, s.frame = frame_time(w, states);
     printf("%.9f %.9f", s.wall, s.cpu);
     for (int i = 0; i < BENCH_STAGES; i++) printf(" %.9f", s.stage[i]);
-    printf(" %" PRIu64 " %zu %zu %zu %zu %" PRIu64 " %zu %zu %" PRIx64 " %d %s\n", s.steps,
-           s.spheres, s.pairs, s.candidates, s.contacts, s.rebuilds, s.engine_bytes, s.peak_bytes,
-           s.hash, s.threads, s.isa);
+    printf(" %" PRIu64 " %zu %zu %zu %zu %" PRIu64 " %zu %zu %" PRIx64 " %d %s", s.steps, s.spheres,
+           s.pairs, s.candidates, s.contacts, s.rebuilds, s.engine_bytes, s.peak_bytes, s.hash,
+           s.threads, s.isa);
+    printf(" %.6f %.6f %.6f %zu\n", s.load, s.first, s.frame, s.now_bytes);
     clast_world_free(w);
 }
 
@@ -74,7 +99,7 @@ static bool parse(const char *line, bench_sample *s) {
     return sscanf(line, LINE, &s->wall, &s->cpu, &s->stage[0], &s->stage[1], &s->stage[2],
                   &s->stage[3], &s->stage[4], &s->steps, &s->spheres, &s->pairs, &s->candidates,
                   &s->contacts, &s->rebuilds, &s->engine_bytes, &s->peak_bytes, &s->hash,
-                  &s->threads, s->isa) == 18;
+                  &s->threads, s->isa, &s->load, &s->first, &s->frame, &s->now_bytes) == 22;
 }
 
 static void become(const bench_order *o, const char *program, const char *states, int out) {

@@ -16,8 +16,11 @@ typedef struct bench_sample {
     uint64_t steps;                              /* timed */
     size_t spheres, pairs, candidates, contacts; /* at the end */
     uint64_t rebuilds;                           /* in the timed steps */
-    size_t engine_bytes;                         /* counted by the engine at the end */
-    size_t peak_bytes;                           /* resident, of the whole process */
+    double load, first, frame; /* s: building and reading the state; the first step with all that it
+                                  prepares; writing a frame */
+    size_t engine_bytes;       /* counted by the engine at the end */
+    size_t peak_bytes;         /* resident, of the whole process, reading the state included */
+    size_t now_bytes;          /* resident after the timed steps */
     uint64_t hash;
     int threads; /* in use */
     char isa[16];

@@ -45,7 +45,8 @@ static clast_world *box_world(const bench_scene *scene, const bench_wish *wish, 
 
 /* A grid with play; the spheres start with small velocities of any direction, so that the bed
  * forgets the grid. */
-static void box_fill(clast_world *w, const bench_scene *scene) {
+static void box_fill(clast_world *w, const bench_scene *scene, const char *states) {
+    (void)states;
     const double pitch = 1.08 * DIAMETER, play = 0.5 * (pitch - DIAMETER), speed = 0.3;
     int across = (int)floor(width_of(scene) / pitch);
     double corner = -0.5 * pitch * (across - 1);
@@ -70,4 +71,4 @@ static double box_fall(const bench_scene *scene) {
 }
 
 const bench_recipe bench_box = {"box",         box_world,        box_fill,     box_law,
-                                box_half_size, .fall = box_fall, .threads = 2, .limit = 1};
+                                box_half_size, .fall = box_fall, .threads = 0, .limit = 1};

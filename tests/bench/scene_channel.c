@@ -36,7 +36,8 @@ static clast_world *channel_world(const bench_scene *scene, const bench_wish *wi
     return w;
 }
 
-static void channel_fill(clast_world *w, const bench_scene *scene) {
+static void channel_fill(clast_world *w, const bench_scene *scene, const char *states) {
+    (void)states;
     const double pitch = 2.2 * RADIUS, play = 0.0005;
     int along = (int)(2 * (HALF_LENGTH - pitch) / pitch);
     for (size_t i = 0; i < scene->bodies; i++) {

@@ -111,7 +111,8 @@ static clast_world *grate_world(const bench_scene *scene, const bench_wish *wish
 }
 
 /* Rows of two above the line of the noses. */
-static void grate_fill(clast_world *w, const bench_scene *scene) {
+static void grate_fill(clast_world *w, const bench_scene *scene, const char *states) {
+    (void)states;
     grate g = grate_new();
     const double pitch = 2.2 * RADIUS, play = 0.0005;
     double from = -0.0824 + pitch, to = (BARS - 1) * g.next.x - HEIGHT - pitch;

@@ -156,7 +156,8 @@ static double loose_height(const bench_scene *scene) {
     return (double)scene->bodies * n * disc / (WIDTH * loose_fraction(n));
 }
 
-static void hopper_fill(clast_world *w, const bench_scene *scene) {
+static void hopper_fill(clast_world *w, const bench_scene *scene, const char *states) {
+    (void)states;
     int n = scene->spheres;
     double r = radius_of(scene), height = loose_height(scene);
     sieve s = sieve_new(2.002 * r, height); /* a little air: nothing touches at the start */
@@ -184,4 +185,4 @@ static double hopper_fall(const bench_scene *scene) {
 
 const bench_recipe bench_hopper = {"hopper",     hopper_world,     hopper_fill,
                                    hopper_law,   hopper_half_size, .fall = hopper_fall,
-                                   .threads = 2, .limit = 1.5};
+                                   .threads = 0, .limit = 1.5};

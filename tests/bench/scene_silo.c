@@ -56,7 +56,8 @@ static clast_world *silo_world(const bench_scene *scene, const bench_wish *wish,
 }
 
 /* The places of a grid whose spheres, with their play, are inside the silo. */
-static void silo_fill(clast_world *w, const bench_scene *scene) {
+static void silo_fill(clast_world *w, const bench_scene *scene, const char *states) {
+    (void)states;
     const double pitch = 1.05 * DIAMETER, play = 0.5 * (pitch - DIAMETER), speed = 0.3;
     int across = (int)floor(2 * RADIUS / pitch);
     double corner = -0.5 * pitch * (across - 1), room = 0.995 * RADIUS - 0.5 * pitch;
@@ -87,4 +88,4 @@ static bench_law silo_law(void) {
 }
 
 const bench_recipe bench_silo = {"silo",         silo_world,        silo_fill,    silo_law,
-                                 silo_half_size, .fall = silo_fall, .threads = 2, .limit = 1};
+                                 silo_half_size, .fall = silo_fall, .threads = 0, .limit = 1};

@@ -24,9 +24,21 @@ const bench_scene bench_scenes[] = {
     {"G300", "300 spheres d 15 mm on 11 slowly moving bars", 300, 1, 5e-5, 80000, 2000,
      .recipe = &bench_grate},
     {"P100", "as G100, at rest on a plane", 100, 1, 5e-5, 120000, 2000, .recipe = &bench_channel,
-     .aside = true},
+     .use = BENCH_USE_PEERS},
     {"P300", "as G300, at rest on a plane", 300, 1, 5e-5, 80000, 2000, .recipe = &bench_channel,
-     .aside = true},
+     .use = BENCH_USE_PEERS},
+    {"S1k", "as A, 1000 spheres", 1000, 1, 5e-5, 20000, 2000, .recipe = &bench_box,
+     .use = BENCH_USE_SCALING},
+    {"S3k", "as A, 3000 spheres", 3000, 1, 5e-5, 7000, 1000, .recipe = &bench_box,
+     .use = BENCH_USE_SCALING},
+    {"S10k", "as A, 10 000 spheres", 10000, 1, 5e-5, 2000, 500, .recipe = &bench_box,
+     .use = BENCH_USE_SCALING},
+    {"S40k", "2 x A20k side by side", 40000, 1, 5e-5, 500, 200, .recipe = &bench_tiles,
+     .use = BENCH_USE_SCALING},
+    {"S300k", "5 x 3 x A20k side by side", 300000, 1, 5e-5, 100, 50, .recipe = &bench_tiles,
+     .use = BENCH_USE_SCALING},
+    {"S1M", "10 x 5 x A20k side by side", 1000000, 1, 5e-5, 40, 20, .recipe = &bench_tiles,
+     .use = BENCH_USE_SCALING},
 };
 const int bench_scene_count = sizeof bench_scenes / sizeof *bench_scenes;
 
@@ -159,7 +171,7 @@ static clast_world *try_open(const bench_scene *scene, const bench_wish *wish, c
     return NULL;
 }
 
-clast_world *bench_scene_open(const bench_scene *scene, const bench_wish *wish,
+clast_world *bench_scene_load(const bench_scene *scene, const bench_wish *wish,
                               const char *states) {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s-%d.h5", states, scene->name, STATE_VERSION);
@@ -167,11 +179,16 @@ clast_world *bench_scene_open(const bench_scene *scene, const bench_wish *wish,
     clast_world *w = stat(path, &there) == 0 ? try_open(scene, wish, path) : NULL;
     if (!w) {
         mkdir(states, 0777); /* when it is there already, or cannot be made, saving will tell */
-        bench_settle(scene, path);
+        bench_settle(scene, path, states);
         w = try_open(scene, wish, path);
     }
     if (!w) exit(1);
-    if (wish->fresh) w = without_histories(w, scene, wish);
+    return wish->fresh ? without_histories(w, scene, wish) : w;
+}
+
+clast_world *bench_scene_open(const bench_scene *scene, const bench_wish *wish,
+                              const char *states) {
+    clast_world *w = bench_scene_load(scene, wish, states);
     if (clast_world_prepare(w)) bench_fail(w, "prepare");
     return w;
 }

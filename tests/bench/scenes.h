@@ -8,6 +8,12 @@
 
 struct bench_recipe; /* how a scene is built and settled: recipe.h */
 
+typedef enum bench_use {
+    BENCH_USE_ALL,    /* ours and the peers' */
+    BENCH_USE_PEERS,  /* what stands beside a scene that the peers refuse */
+    BENCH_USE_SCALING /* cost against size */
+} bench_use;
+
 typedef struct bench_scene {
     const char *name; /* "A20k", "A100k", "B", "C2", "C4", "D", "G100", "G300" */
     const char *what; /* one line */
@@ -17,7 +23,7 @@ typedef struct bench_scene {
     uint64_t steps;   /* of one timed run: a second or more on one core */
     uint64_t warm;    /* steps before the timed ones */
     const struct bench_recipe *recipe;
-    bool aside; /* only for the peers, or by name */
+    bench_use use;
 } bench_scene;
 
 extern const bench_scene bench_scenes[];
@@ -36,6 +42,9 @@ typedef struct bench_wish {
  * states; what is missing there is made first (seconds to minutes, said on stderr). Stops the
  * program when that fails. */
 clast_world *bench_scene_open(const bench_scene *scene, const bench_wish *wish, const char *states);
+
+/* The same before clast_world_prepare(). */
+clast_world *bench_scene_load(const bench_scene *scene, const bench_wish *wish, const char *states);
 
 /* Stops the program with the world's error. */
 void bench_fail(clast_world *w, const char *doing) __attribute__((noreturn));

@@ -36,12 +36,12 @@ static void save(clast_world *w, const char *path) {
     clast_world_free(w);
 }
 
-void bench_settle(const bench_scene *scene, const char *path) {
+void bench_settle(const bench_scene *scene, const char *path, const char *states) {
     const bench_recipe *r = scene->recipe;
     double start = seconds(), fall = r->fall(scene);
     fprintf(stderr, "bench: settling %s ...", scene->name);
     clast_world *w = world_of(scene, BENCH_FALLING);
-    r->fill(w, scene);
+    r->fill(w, scene, states);
     if (clast_world_run(w, fall)) bench_fail(w, "falling");
     save(w, path);
     w = world_of(scene, BENCH_RESTING);
