@@ -38,7 +38,8 @@ vec3 body_spin(const clast_world *w, size_t slot) {
 void body_reserve(clast_world *w, size_t count) {
     body_store *b = &w->bodies;
     if (count <= b->capacity) return;
-    size_t capacity = b->capacity * 2 > count ? b->capacity * 2 : count;
+    size_t half_more = b->capacity + b->capacity / 2,
+           capacity = half_more > count ? half_more : count;
 #define X(type, name) b->name = memory_grow(w, b->name, b->capacity, capacity, sizeof(type));
     BODY_COLUMNS(X)
 #undef X

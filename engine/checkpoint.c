@@ -422,14 +422,15 @@ static void install_bodies(clast_world *w, const saved *s) {
     for (size_t i = 0; i < n; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
 }
 
-static void install_records(clast_world *w, const saved *s) {
-    records_reserve(w, s->record_count);
-    if (s->record_count > 0)
-        memcpy(w->records.items, s->records, s->record_count * sizeof *s->records);
-    w->records.count = s->record_count;
+/* The world takes them over. */
+static void install_records(clast_world *w, saved *s) {
+    records_forget(w);
+    w->records = (record_list){s->record_count, s->record_count + 1, s->records};
+    memory_adopt(w, w->records.capacity * sizeof *s->records);
+    s->records = NULL;
 }
 
-static void install(clast_world *w, const saved *s) {
+static void install(clast_world *w, saved *s) {
     w->step = s->step;
     w->contact_dt = s->contact_dt;
     w->ledger = s->ledger;
@@ -441,12 +442,13 @@ static void install(clast_world *w, const saved *s) {
     install_bodies(w, s);
     install_records(w, s);
     walls_move(w);
+    carry_records(w);
     lists_rebuild(w);
     contacts_restore(w);
     w->failed = false;
 }
 
-static clast_status check_and_install(clast_world *w, const char *path, const saved *s) {
+static clast_status check_and_install(clast_world *w, const char *path, saved *s) {
     clast_status status = compare_scenes(w, path, s->scene);
     if (status != CLAST_OK) return status;
     const char *fault = fault_of_indices(w, s, NULL, w->shape_count, (uint32_t)w->wall_count);
@@ -549,6 +551,7 @@ static uint32_t count_lines(const char *all) {
 static clast_status inherit_bodies(clast_world *w, const char *path, const saved *s,
                                    const int *shape_of) {
     const body_store *b = &s->bodies;
+    body_reserve(w, b->count);
     for (size_t i = 0; i < b->count; i++) {
         int shape_index = shape_of[b->shape[i]];
         if (shape_index < 0)
@@ -569,9 +572,8 @@ static clast_status inherit_bodies(clast_world *w, const char *path, const saved
 
 /* Contacts keep their springs: ids become 0, 1, 2, ... and walls are found by name. A contact with
  * a wall that is not here ends. */
-static void inherit_contacts(clast_world *w, const saved *s) {
-    records_reserve(w, s->record_count);
-    w->records.count = 0;
+static void inherit_contacts(clast_world *w, saved *s) {
+    size_t count = 0;
     for (size_t i = 0; i < s->record_count; i++) {
         contact_record r = s->records[i];
         bool with_wall = r.b >= CLAST_WALL_ID;
@@ -579,8 +581,10 @@ static void inherit_contacts(clast_world *w, const saved *s) {
         if (with_wall && wall_index < 0) continue;
         r.a = (uint32_t)place_of_id(s, r.a);
         r.b = with_wall ? CLAST_WALL_ID + (uint32_t)wall_index : (uint32_t)place_of_id(s, r.b);
-        w->records.items[w->records.count++] = r;
+        s->records[count++] = r;
     }
+    install_records(w, s);
+    w->records.count = count;
 }
 
 clast_status clast_checkpoint_inherit(clast_world *w, const char *path) {

@@ -102,7 +102,7 @@ void contacts_visit(const clast_world *w, contact_visitor *visit, void *context)
 }
 
 static void forget_springs(clast_world *w, contact_list *l) {
-    for (size_t k = 0; k < l->count; k++) contact_clear_spring(w, l, k);
+    for (size_t k = 0; k < l->count; k++) entry_clear_spring(w, l, k);
 }
 
 /* Where friction ends, its springs do. */

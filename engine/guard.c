@@ -128,25 +128,30 @@ clast_status guards_check(clast_world *w) {
 
 /* ---- outside --------------------------------------------------------------------------------- */
 
-/* Bodies that left the domain end the run or, where the scene says so, leave it. Lowest id first,
- * so that the books do not depend on the order of storage. Histories must have been collected
- * before. */
+/* Bodies that left the domain end the run or, where the scene says so, leave it: lowest id first,
+ * so that the books do not depend on the order of storage. */
 clast_status guards_outside(clast_world *w) {
+    if (w->def.outside != CLAST_OUTSIDE_STOP) return CLAST_OK;
     for (uint32_t id = 0; id < w->next_id; id++) {
         int32_t slot = w->slot_of_id[id];
         if (slot < 0 || !body_is_outside(w, (size_t)slot)) continue;
-        if (w->def.outside == CLAST_OUTSIDE_STOP) {
-            char who[256], what[320];
-            describe_body(w, (size_t)slot, who, sizeof who);
-            snprintf(what, sizeof what, "outside the domain: %s", who);
-            clast_status s = trip(w, what);
-            if (s) return s;
-        }
-        ledger_remove_body(w, (size_t)slot);
-        body_remove(w, (size_t)slot);
-        w->stale = true;
+        char who[256], what[320];
+        describe_body(w, (size_t)slot, who, sizeof who);
+        snprintf(what, sizeof what, "outside the domain: %s", who);
+        clast_status s = trip(w, what);
+        if (s) return s;
     }
     return CLAST_OK;
+}
+
+/* Histories must be carried. */
+void bodies_leave(clast_world *w) {
+    for (uint32_t id = 0; id < w->next_id; id++) {
+        int32_t slot = w->slot_of_id[id];
+        if (slot < 0 || !body_is_outside(w, (size_t)slot)) continue;
+        ledger_remove_body(w, (size_t)slot);
+        body_remove(w, (size_t)slot);
+    }
 }
 
 /* ---- the start ------------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* hash.c - one number for the whole state: bodies by id, contacts by name, clock, books. FNV-1a
- * over 64-bit words with an extra mixing step: any bit of the state reaches all bits of it. */
+ * over 64-bit words with an extra mixing step: any bit of the state reaches all bits of it.
+ * Contacts are hashed one by one and added up, which has no order. */
 #include <string.h>
 
 #include "engine/world.h"
@@ -23,11 +24,18 @@ static uint64_t mix_vec(uint64_t hash, vec3 a) {
 #define mix_uint32_t(h, x) mix(h, x)
 #define mix_int32_t(h, x)  mix(h, (uint64_t)(int64_t)(x))
 
-uint64_t clast_world_hash(const clast_world *world) {
-    clast_world *w = (clast_world *)world; /* collecting records fills scratch, not state */
+static void add_contact(const clast_world *w, const contact_place *at, void *context) {
+    contact_record r = record_of(w, at->list, at->index, at->with_wall);
+    uint64_t h = mix(mix(0xcbf29ce484222325u, r.a), r.b);
+    h = mix(mix(h, (uint64_t)r.sphere_a), (uint64_t)r.sphere_b);
+    h = mix_double(mix_double(h, r.history.overlap), r.history.normal);
+    *(uint64_t *)context += mix(mix_vec(h, r.history.spring), 0);
+}
+
+uint64_t clast_world_hash(const clast_world *w) {
     CLAST_ASSERT(w && w->prepared);
     const body_store *b = &w->bodies;
-    uint64_t h = mix_double(mix(0xcbf29ce484222325u, w->step), w->dt);
+    uint64_t h = mix_double(mix(0xcbf29ce484222325u, w->step), w->dt), contacts = 0;
     for (uint32_t id = 0; id < w->next_id; id++) {
         int32_t i = w->slot_of_id[id];
         if (i < 0) continue;
@@ -35,14 +43,8 @@ uint64_t clast_world_hash(const clast_world *world) {
         BODY_COLUMNS(X)
 #undef X
     }
-    records_collect(w);
-    records_sort(w);
-    for (size_t i = 0; i < w->records.count; i++) {
-        const contact_record *r = &w->records.items[i];
-        h = mix(mix(mix(mix(h, r->a), r->b), (uint64_t)r->sphere_a), (uint64_t)r->sphere_b);
-        h = mix_double(mix_double(h, r->history.overlap), r->history.normal);
-        h = mix_vec(h, r->history.spring);
-    }
+    contacts_visit(w, add_contact, &contacts);
+    h = mix(h, contacts);
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);
     double books[sizeof(ledger) / sizeof(double)];
     memcpy(books, &w->ledger, sizeof books);

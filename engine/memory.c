@@ -41,6 +41,12 @@ void *memory_copy(clast_world *w, const void *from, size_t count, size_t size) {
     return p;
 }
 
+void memory_adopt(clast_world *w, size_t bytes) { count_bytes(w, bytes); }
+
+void memory_return(clast_world *w, size_t bytes) {
+    __atomic_sub_fetch(&w->counters.bytes, bytes, __ATOMIC_RELAXED);
+}
+
 char *memory_text(clast_world *w, const char *text) {
     return memory_copy(w, text ? text : "", strlen(text ? text : "") + 1, 1);
 }

@@ -1,75 +1,11 @@
 /* near.c - the contact list: pairs of the reach list that touch or are closer than the margin, and
- * the ones whose end has not been booked yet. Made anew with the reach list (histories come by name
- * from the records) and refreshed from it, in place, when something has moved half the margin. Not
- * observable. */
+ * the ones whose end has not been booked yet. Made anew with the reach list (histories come from
+ * the list before, carry.c) and refreshed from it, in place, when something has moved half the
+ * margin. Not observable. */
 #include <string.h>
 
 #include "engine/geometry.h"
 #include "engine/parallel.h"
-
-enum { ROOM_BEHIND = 64 }; /* a pass works on whole batches */
-
-static size_t number_size(const clast_world *w) {
-    return w->def.precision == CLAST_PRECISION_MIXED ? sizeof(float) : sizeof(double);
-}
-
-/* ---- entries --------------------------------------------------------------------------------- */
-
-void contact_reserve(clast_world *w, contact_list *l, size_t count) {
-    if (count + ROOM_BEHIND <= l->capacity) return;
-    size_t old = l->capacity, now = count + count / 8 + 2 * ROOM_BEHIND;
-    l->a = memory_grow(w, l->a, old, now, sizeof *l->a);
-    l->b = memory_grow(w, l->b, old, now, sizeof *l->b);
-    for (int k = 0; k < HISTORY_COLUMNS; k++)
-        l->column[k] = memory_grow(w, l->column[k], old, now, number_size(w));
-    l->capacity = now;
-}
-
-static double column_at(const clast_world *w, const contact_list *l, int k, size_t i) {
-    if (w->def.precision == CLAST_PRECISION_MIXED) return (double)((const float *)l->column[k])[i];
-    return ((const double *)l->column[k])[i];
-}
-
-static void set_column(const clast_world *w, contact_list *l, int k, size_t i, double value) {
-    if (w->def.precision == CLAST_PRECISION_MIXED)
-        ((float *)l->column[k])[i] = (float)value;
-    else
-        ((double *)l->column[k])[i] = value;
-}
-
-bool contact_touches(const clast_world *w, const contact_list *l, size_t i) {
-    return column_at(w, l, 0, i) > 0;
-}
-
-static bool name_is_reversed(const clast_world *w, const contact_list *l, size_t i) {
-    size_t a = body_of_sphere(w, (size_t)l->a[i]), b = body_of_sphere(w, (size_t)l->b[i]);
-    return w->bodies.id[a] > w->bodies.id[b];
-}
-
-/* As seen by the body of lower id, or by the body where b is a wall. */
-history contact_history(const clast_world *w, const contact_list *l, size_t i, bool with_wall) {
-    vec3 spring = v3(column_at(w, l, 2, i), column_at(w, l, 3, i), column_at(w, l, 4, i));
-    double sign = !with_wall && name_is_reversed(w, l, i) ? -1 : 1;
-    spring = v3_scale(sign, from_kernel(w, spring));
-    /* adding nothing makes one zero of two: the sign of a zero hangs on who was a */
-    return (history){column_at(w, l, 0, i), column_at(w, l, 1, i), v3_add(spring, v3(0, 0, 0))};
-}
-
-void contact_clear_spring(clast_world *w, contact_list *l, size_t i) {
-    for (int k = 2; k < HISTORY_COLUMNS; k++) set_column(w, l, k, i, 0);
-}
-
-static void push(clast_world *w, contact_list *l, int32_t a, int32_t b, bool with_wall,
-                 const history *h) {
-    contact_reserve(w, l, l->count + 1);
-    size_t i = l->count++;
-    l->a[i] = a, l->b[i] = b;
-    double sign = !with_wall && name_is_reversed(w, l, i) ? -1 : 1;
-    vec3 spring = h ? to_kernel(w, v3_scale(sign, h->spring)) : v3(0, 0, 0);
-    double values[HISTORY_COLUMNS] = {h ? h->overlap : 0, h ? h->normal : 0, spring.x, spring.y,
-                                      spring.z};
-    for (int k = 0; k < HISTORY_COLUMNS; k++) set_column(w, l, k, i, values[k]);
-}
 
 /* ---- who is near ----------------------------------------------------------------------------- */
 
@@ -88,45 +24,89 @@ static bool wall_is_near(const clast_world *w, size_t sphere, int wall_index) {
     return !(wall_approach(l, centre).distance >= c->radius + w->margin);
 }
 
-/* ---- made anew, histories from the records --------------------------------------------------- */
+/* ---- made anew -------------------------------------------------------------------------------
+ * First who, and where the history of each stands in the lists before; then the histories, one
+ * column at a time, so that there is only one column twice at any moment. */
 
-static const history *history_of(const clast_world *w, size_t sphere, size_t partner) {
-    const record_list *r = &w->records;
-    for (uint32_t k = r->first[sphere]; k < r->first[sphere + 1]; k++) {
-        const contact_record *record = &r->items[r->order[k]];
-        if (record->b >= CLAST_WALL_ID) continue;
-        size_t a = first_sphere(w, (size_t)w->slot_of_id[record->a]) + (size_t)record->sphere_a;
-        size_t b = first_sphere(w, (size_t)w->slot_of_id[record->b]) + (size_t)record->sphere_b;
-        if ((a == sphere && b == partner) || (b == sphere && a == partner)) return &record->history;
+static void find(clast_world *w, found_list *f, size_t a, size_t b, uint32_t source) {
+    if (f->count == f->capacity) {
+        size_t old = f->capacity, now = old + old / 8 + 1024;
+        f->a = memory_grow(w, f->a, old, now, sizeof *f->a);
+        f->b = memory_grow(w, f->b, old, now, sizeof *f->b);
+        f->source = memory_grow(w, f->source, old, now, sizeof *f->source);
+        f->capacity = now;
     }
-    return NULL;
+    f->a[f->count] = (int32_t)a, f->b[f->count] = (int32_t)b, f->source[f->count] = source;
+    f->count++;
 }
 
-static const history *history_of_wall(const clast_world *w, size_t sphere, int wall_index) {
-    const record_list *r = &w->records;
-    for (uint32_t k = r->first[sphere]; k < r->first[sphere + 1]; k++) {
-        const contact_record *record = &r->items[r->order[k]];
-        if (record->b == CLAST_WALL_ID + (uint32_t)wall_index) return &record->history;
-    }
-    return NULL;
-}
-
-static void build(clast_world *w, share *s) {
+static void find_contacts(clast_world *w, share *s) {
     const reach_list *l = &s->reach;
-    s->contacts.count = s->walls.count = 0;
     for (size_t i = s->sphere_begin; i < s->sphere_end; i++)
         for (uint32_t k = l->first[i - s->sphere_begin]; k < l->first[i - s->sphere_begin + 1];
              k++) {
             size_t j = (size_t)l->partner[k];
-            const history *h = history_of(w, i, j);
-            if (!h && !spheres_are_near(w, i, j)) continue;
-            push(w, &s->contacts, (int32_t)i, (int32_t)j, false, h);
+            uint32_t source = carry_find(w, i, l->partner[k], false);
+            if (source == NOT_CARRIED && !spheres_are_near(w, i, j)) continue;
+            find(w, &s->found[0], i, j, source);
         }
     for (size_t k = 0; k < s->wall_reach.count; k++) {
-        int32_t i = s->wall_reach.sphere[k], l_index = s->wall_reach.wall[k];
-        const history *h = history_of_wall(w, (size_t)i, l_index);
-        if (h || wall_is_near(w, (size_t)i, l_index)) push(w, &s->walls, i, l_index, true, h);
+        size_t i = (size_t)s->wall_reach.sphere[k];
+        int wall_index = s->wall_reach.wall[k];
+        uint32_t source = carry_find(w, i, wall_index, true);
+        if (source == NOT_CARRIED && !wall_is_near(w, i, wall_index)) continue;
+        find(w, &s->found[1], i, (size_t)wall_index, source);
     }
+}
+
+/* The found entries become the list; the columns are empty. */
+static void adopt(clast_world *w, contact_list *l, found_list *f) {
+    size_t room = entry_room(f->count), old = f->capacity > room ? room : f->capacity;
+    l->a = memory_grow(w, f->a, old, room, sizeof *l->a);
+    l->b = memory_grow(w, f->b, old, room, sizeof *l->b);
+    memory_return(w, 2 * (f->capacity - old) * sizeof *l->a);
+    l->count = f->count, l->capacity = room;
+    for (size_t k = f->count; k < room; k++) l->a[k] = l->b[k] = 0;
+}
+
+static void fill_column(clast_world *w, contact_list *l, const found_list *f, int column) {
+    size_t size = entry_number_size(w);
+    char *to = memory_grow(w, NULL, 0, l->capacity, size);
+    for (size_t k = 0; k < f->count; k++)
+        if (f->source[k] != NOT_CARRIED)
+            memcpy(to + k * size, carry_number(w, f->source[k], column), size);
+    l->column[column] = to;
+}
+
+typedef struct column_order {
+    clast_world *w;
+    int column;
+} column_order;
+
+static void fill_share(void *context, int thread) {
+    const column_order *o = context;
+    share *s = &o->w->shares[thread];
+    fill_column(o->w, &s->contacts, &s->found[0], o->column);
+    fill_column(o->w, &s->walls, &s->found[1], o->column);
+}
+
+static void forget_found(clast_world *w, found_list *f) {
+    memory_return(w, f->capacity * sizeof *f->source);
+    memory_release(f->source);
+    *f = (found_list){0};
+}
+
+static void take_histories(clast_world *w) {
+    for (int k = 0; k < HISTORY_COLUMNS; k++) {
+        column_order o = {w, k};
+        parallel_run(w->threads, fill_share, &o);
+        carry_drop_column(w, k);
+    }
+    for (int t = 0; t < w->threads; t++) {
+        forget_found(w, &w->shares[t].found[0]);
+        forget_found(w, &w->shares[t].found[1]);
+    }
+    carry_end(w);
 }
 
 /* ---- refreshed in place ----------------------------------------------------------------------
@@ -138,20 +118,12 @@ typedef struct refresh {
     size_t read, end, write;
 } refresh;
 
-static void move_entries(const clast_world *w, contact_list *l, size_t to, size_t from, size_t n) {
-    size_t size = number_size(w);
-    memmove(l->a + to, l->a + from, n * sizeof *l->a);
-    memmove(l->b + to, l->b + from, n * sizeof *l->b);
-    for (int k = 0; k < HISTORY_COLUMNS; k++)
-        memmove((char *)l->column[k] + to * size, (char *)l->column[k] + from * size, n * size);
-}
-
 static void push_back(clast_world *w, refresh *r, size_t room) {
     contact_list *l = r->l;
     size_t left = r->end - r->read;
-    contact_reserve(w, l, r->write + left + room);
+    entry_reserve(w, l, r->write + left + room);
     size_t end = l->capacity;
-    move_entries(w, l, end - left, r->read, left);
+    entry_move(w, l, end - left, r->read, left);
     r->read = end - left, r->end = end;
 }
 
@@ -163,25 +135,25 @@ static void refresh_pair(clast_world *w, refresh *r, int32_t a, int32_t b, bool 
         return;
     }
     if (known) {
-        if (r->write != r->read) move_entries(w, l, r->write, r->read, 1);
+        if (r->write != r->read) entry_move(w, l, r->write, r->read, 1);
         r->read++;
     } else {
         if (r->write == r->read) push_back(w, r, 1 + (r->end - r->read) / 8);
         l->a[r->write] = a, l->b[r->write] = b;
-        for (int k = 0; k < HISTORY_COLUMNS; k++) set_column(w, l, k, r->write, 0);
+        entry_clear(w, l, r->write);
     }
     r->write++;
 }
 
 static refresh refresh_begin(clast_world *w, contact_list *l) {
     refresh r = {l, 0, l->count, 0};
-    push_back(w, &r, ROOM_BEHIND);
+    push_back(w, &r, ENTRIES_BEHIND);
     return r;
 }
 
 static void refresh_end(clast_world *w, const refresh *r) {
     r->l->count = r->write;
-    contact_reserve(w, r->l, r->write); /* the old entries may have stood in the room behind */
+    entry_reserve(w, r->l, r->write); /* the old entries may have stood in the room behind */
 }
 
 static void refresh_share(clast_world *w, share *s) {
@@ -222,7 +194,9 @@ static void rebuild_share(void *context, int thread) {
     clast_world *w = context;
     share *s = &w->shares[thread];
     reach_build(w, s);
-    build(w, s);
+    find_contacts(w, s);
+    adopt(w, &s->contacts, &s->found[0]);
+    adopt(w, &s->walls, &s->found[1]);
     if (w->threads > 1) reserve_overhang(w, s);
 }
 
@@ -242,15 +216,16 @@ static void tune(clast_world *w, uint64_t since_reach) {
     if (w->margin > w->skin) w->margin = w->skin;
 }
 
-/* Needs w->records to hold the contacts that touched at the last evaluation. */
+/* Needs the contacts that touched at the last evaluation to be carried. */
 void lists_rebuild(clast_world *w) {
     tune(w, w->step - w->steps_reach);
     if (w->bodies.count > 0) cells_sort(w, 2 * w->largest_bound + w->skin);
     rows_layout(w);
     rows_fill(w, 0, w->bodies.count);
-    records_place(w);
+    carry_place(w);
     shares_cut(w);
     parallel_run(w->threads, rebuild_share, w);
+    take_histories(w);
     w->way_reach = w->way_contacts = 0;
     w->steps_reach = w->steps_contacts = w->step;
     w->stale = false;

@@ -104,23 +104,15 @@ static size_t scan_spheres(const clast_world *w, size_t i, size_t body, int32_t 
  * A contact that touched at the last evaluation and is now farther apart than the skin stays: the
  * law books its end, as it would with a wider skin. */
 
-static size_t partner_of_record(const clast_world *w, const contact_record *r, size_t own) {
-    size_t a = first_sphere(w, (size_t)w->slot_of_id[r->a]) + (size_t)r->sphere_a;
-    size_t b = first_sphere(w, (size_t)w->slot_of_id[r->b]) + (size_t)r->sphere_b;
-    return a == own ? b : a;
-}
-
 static void keep_touching(clast_world *w, reach_list *l, size_t sphere, size_t begin) {
-    const record_list *r = &w->records;
-    for (uint32_t k = r->first[sphere]; k < r->first[sphere + 1]; k++) {
-        const contact_record *record = &r->items[r->order[k]];
-        if (record->b >= CLAST_WALL_ID) continue;
-        int32_t partner = (int32_t)partner_of_record(w, record, sphere);
+    for (uint32_t k = w->carry.first[sphere]; k < w->carry.first[sphere + 1]; k++) {
+        carried contact = carry_at(w, k);
+        if (contact.with_wall) continue;
         size_t at = begin;
-        while (at < l->count && l->partner[at] != partner) at++;
+        while (at < l->count && l->partner[at] != contact.partner) at++;
         if (at < l->count) continue;
         reserve_partners(w, l, l->count + 1);
-        l->partner[l->count++] = partner;
+        l->partner[l->count++] = contact.partner;
     }
 }
 
@@ -203,15 +195,13 @@ static void try_box(clast_world *w, share *s, int wall_index, vec3 low, vec3 hig
 }
 
 static void keep_touching_walls(clast_world *w, share *s) {
-    const record_list *r = &w->records;
     for (size_t i = s->sphere_begin; i < s->sphere_end; i++)
-        for (uint32_t k = r->first[i]; k < r->first[i + 1]; k++) {
-            const contact_record *record = &r->items[r->order[k]];
-            if (record->b < CLAST_WALL_ID) continue;
-            int wall_index = (int)(record->b - CLAST_WALL_ID);
-            const wall *l = &w->walls[wall_index];
+        for (uint32_t k = w->carry.first[i]; k < w->carry.first[i + 1]; k++) {
+            carried contact = carry_at(w, k);
+            if (!contact.with_wall) continue;
+            const wall *l = &w->walls[contact.partner];
             if (!w->parts[l->part].present || is_within_reach(w, l, i)) continue;
-            push_wall(w, &s->wall_reach, i, wall_index);
+            push_wall(w, &s->wall_reach, i, contact.partner);
         }
 }
 
@@ -228,7 +218,7 @@ static void build_walls(clast_world *w, share *s) {
     keep_touching_walls(w, s);
 }
 
-/* Needs cells, rows and placed records. */
+/* Needs cells, rows and placed contacts. */
 void reach_build(clast_world *w, share *s) {
     reach_list *l = &s->reach;
     size_t spheres = s->sphere_end - s->sphere_begin;

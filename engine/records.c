@@ -1,5 +1,5 @@
 /* records.c - touching contacts by name (ids, place within the shape) instead of by place in
- * memory: how histories survive a rebuild, and what checkpoint, hash and readers see. */
+ * memory: what checkpoint, hash and readers see. */
 #include <stdlib.h>
 
 #include "engine/world.h"
@@ -69,44 +69,8 @@ void records_sort(clast_world *w) {
     if (r->count > 1) qsort(r->items, r->count, sizeof *r->items, record_compare);
 }
 
-/* ---- by place, while lists are built --------------------------------------------------------- */
-
-static bool is_alive(const clast_world *w, const contact_record *r) {
-    if (w->slot_of_id[r->a] < 0) return false;
-    return r->b >= CLAST_WALL_ID || w->slot_of_id[r->b] >= 0;
-}
-
-/* The sphere under which the contact stands: the one of lower index. */
-static size_t place_of(const clast_world *w, const contact_record *r) {
-    size_t a = first_sphere(w, (size_t)w->slot_of_id[r->a]) + (size_t)r->sphere_a;
-    if (r->b >= CLAST_WALL_ID) return a;
-    size_t b = first_sphere(w, (size_t)w->slot_of_id[r->b]) + (size_t)r->sphere_b;
-    return a < b ? a : b;
-}
-
-static void reserve_places(clast_world *w) {
-    record_list *r = &w->records;
-    size_t spheres = w->sphere_count + 2;
-    if (spheres > r->first_capacity) {
-        r->first = memory_grow(w, r->first, r->first_capacity, spheres, sizeof *r->first);
-        r->first_capacity = spheres;
-    }
-    if (r->count > r->order_capacity) {
-        r->order = memory_grow(w, r->order, r->order_capacity, r->count, sizeof *r->order);
-        r->order_capacity = r->count;
-    }
-}
-
-/* Sorts the places of the records by sphere; a record whose body is gone ends here. Needs rows laid
- * out. */
-void records_place(clast_world *w) {
-    record_list *r = &w->records;
-    reserve_places(w);
-    for (size_t i = 0; i < w->sphere_count + 2; i++) r->first[i] = 0;
-    for (size_t k = 0; k < r->count; k++)
-        if (is_alive(w, &r->items[k])) r->first[place_of(w, &r->items[k]) + 2]++;
-    for (size_t i = 2; i < w->sphere_count + 2; i++) r->first[i] += r->first[i - 1];
-    for (size_t k = 0; k < r->count; k++)
-        if (is_alive(w, &r->items[k]))
-            r->order[r->first[place_of(w, &r->items[k]) + 1]++] = (uint32_t)k;
+void records_forget(clast_world *w) {
+    memory_return(w, w->records.capacity * sizeof *w->records.items);
+    memory_release(w->records.items);
+    w->records = (record_list){0};
 }

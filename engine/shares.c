@@ -34,10 +34,10 @@ void shares_make(clast_world *w, int threads) {
 /* Work of a body: its spheres and, twice as dear, the contacts that it owns. */
 static size_t work_of(const clast_world *w, size_t slot) {
     size_t from = first_sphere(w, slot), to = first_sphere(w, slot + 1);
-    return (to - from) + 2 * (w->records.first[to] - w->records.first[from]);
+    return (to - from) + 2 * (w->carry.first[to] - w->carry.first[from]);
 }
 
-/* Needs rows laid out and records placed. */
+/* Needs rows laid out and carried contacts placed. */
 void shares_cut(clast_world *w) {
     size_t n = w->bodies.count, all = 0, done = 0, slot = 0;
     for (size_t i = 0; i < n; i++) all += work_of(w, i);

@@ -13,6 +13,7 @@ static void choose_sizes(clast_world *w) {
     for (int i = 0; i < w->shape_count; i++) {
         const shape *s = &w->shapes[i];
         if (s->bound > w->largest_bound) w->largest_bound = s->bound;
+        if ((uint32_t)s->spheres > w->name_stride) w->name_stride = (uint32_t)s->spheres;
         for (int k = 0; k < s->spheres; k++)
             if (s->radius[k] < w->smallest_radius) w->smallest_radius = s->radius[k];
     }
@@ -101,6 +102,8 @@ static clast_status prepare_checked(clast_world *w) {
     special_choose(w);
     special_choose_kernels(w);
     special_choose_scale(w);
+    if ((uint64_t)w->next_id * w->name_stride >= UINT32_MAX)
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "more spheres than can be named");
     return timestep_choose(w);
 }
 
@@ -111,6 +114,7 @@ clast_status clast_world_prepare(clast_world *w) {
     if (s) return s;
     walls_link(w);
     walls_move(w);
+    carry_records(w);
     lists_rebuild(w);
     s = guards_check_start(w);
     if (s) return s;
@@ -138,9 +142,10 @@ static void lap(double *since, double *into) {
 static clast_status rebuild(clast_world *w) {
     bool leaving = w->found.outside || w->parts_changed;
     stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
-    records_collect(w);
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
     if (s) return s;
+    carry_lists(w);
+    if (w->found.outside) bodies_leave(w);
     lists_rebuild(w);
     if (leaving) ledger_remove_contacts(w, before);
     w->parts_changed = false;

@@ -91,7 +91,8 @@ void clast_world_free(clast_world *w) {
 #undef X
     row_store *r = &w->rows;
     free(r->motion), free(r->loads), free(r->centre), free(r->arm), free(r->first);
-    free(w->records.items), free(w->records.first), free(w->records.order), free(w->slot_of_id);
+    carry_free(w);
+    free(w->records.items), free(w->slot_of_id);
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);
     free(w->view.wx), free(w->view.wy), free(w->view.wz);
     free(w->view.sx), free(w->view.sy), free(w->view.sz), free(w->view.radius), free(w->view.body);

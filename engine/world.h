@@ -168,6 +168,16 @@ typedef struct contact_list {
     void *column[HISTORY_COLUMNS];
 } contact_list;
 
+enum { ENTRIES_BEHIND = 64 };
+#define NOT_CARRIED UINT32_MAX
+
+/* Entries to be, and where their histories stand (carry.c). */
+typedef struct found_list {
+    size_t count, capacity;
+    int32_t *a, *b;
+    uint32_t *source;
+} found_list;
+
 /* Spheres of higher index within the skin, sphere by sphere. */
 typedef struct reach_list {
     size_t count, capacity, first_capacity, ahead_capacity;
@@ -210,6 +220,7 @@ typedef struct share {
     reach_list reach;
     wall_reach wall_reach;
     contact_list contacts, walls;
+    found_list found[2]; /* while they are made */
     load_row *overhang; /* of bodies from body_end on that this share's contacts load */
     size_t overhang_count, overhang_capacity;
     contact_tally contact_tally;
@@ -228,9 +239,22 @@ typedef struct contact_record {
 typedef struct record_list {
     size_t count, capacity;
     contact_record *items;
-    uint32_t *first, *order; /* records by the sphere of lower index: while lists are built */
-    size_t first_capacity, order_capacity;
 } record_list;
+
+/* Lists of the shares from before a rebuild: spheres and walls in turn. */
+typedef struct carry_store {
+    int lists, list_capacity;
+    contact_list *list;
+    uint32_t *base;   /* per list and one more: number of its first entry */
+    uint32_t *first;  /* per sphere and two more: its first place in the order */
+    uint32_t *order;  /* entries by their sphere of lower index */
+    size_t first_capacity, order_capacity;
+} carry_store;
+
+typedef struct carried {
+    int32_t partner;
+    bool with_wall;
+} carried;
 
 /* ---- kernels --------------------------------------------------------------------------------- */
 
@@ -287,7 +311,8 @@ struct clast_world {
     share *shares; /* one per thread */
     int threads;
     record_list records;
-    uint32_t next_id;
+    carry_store carry;
+    uint32_t next_id, name_stride; /* of a name: id times this plus the place in the shape */
     int32_t *slot_of_id; /* -1 = gone */
     size_t slot_of_id_capacity;
     int axes[3]; /* world axis of each axis of the kernel frame */
@@ -362,6 +387,8 @@ void *memory_lines(clast_world *w, void *old, size_t old_bytes, size_t bytes);
 void *memory_copy(clast_world *w, const void *from, size_t count, size_t size);
 char *memory_text(clast_world *w, const char *text);
 void memory_release(void *p);
+void memory_adopt(clast_world *w, size_t bytes);  /* what was made elsewhere, to the count */
+void memory_return(clast_world *w, size_t bytes); /* what is released, from the count */
 
 /* error.c */
 int world_fail(clast_world *w, clast_status status, const char *format, ...)
@@ -394,6 +421,31 @@ void walls_link(clast_world *w);
 void walls_move(clast_world *w);
 bool wall_box(const wall *l, vec3 *low, vec3 *high);
 
+/* entry.c */
+size_t entry_number_size(const clast_world *w);
+void entry_reserve(clast_world *w, contact_list *l, size_t count);
+void entry_push(clast_world *w, contact_list *l, int32_t a, int32_t b, const history *h);
+void entry_clear(clast_world *w, contact_list *l, size_t k);
+void entry_clear_spring(clast_world *w, contact_list *l, size_t k);
+void entry_turn(clast_world *w, contact_list *l, size_t k);
+void entry_move(const clast_world *w, contact_list *l, size_t to, size_t from, size_t n);
+void entry_free(clast_world *w, contact_list *l);
+bool contact_touches(const clast_world *w, const contact_list *l, size_t k);
+history contact_history(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
+
+static inline size_t entry_room(size_t count) { return count + count / 16 + 2 * ENTRIES_BEHIND; }
+
+/* carry.c */
+void carry_lists(clast_world *w);
+void carry_records(clast_world *w);
+void carry_place(clast_world *w);
+carried carry_at(const clast_world *w, uint32_t k);
+uint32_t carry_find(const clast_world *w, size_t sphere, int32_t partner, bool with_wall);
+const void *carry_number(const clast_world *w, uint32_t entry, int column);
+void carry_drop_column(clast_world *w, int column);
+void carry_end(clast_world *w);
+void carry_free(clast_world *w);
+
 /* cells.c, shares.c, reach.c, near.c, records.c */
 void cells_sort(clast_world *w, double reach);
 void shares_make(clast_world *w, int threads);
@@ -402,16 +454,12 @@ void shares_free(clast_world *w);
 void reach_build(clast_world *w, share *s);
 void lists_rebuild(clast_world *w);
 void lists_refresh(clast_world *w);
-void contact_reserve(clast_world *w, contact_list *l, size_t count);
-bool contact_touches(const clast_world *w, const contact_list *l, size_t k);
-history contact_history(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
-void contact_clear_spring(clast_world *w, contact_list *l, size_t k);
 contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
 int record_compare(const void *left, const void *right);
 void records_collect(clast_world *w);
 void records_sort(clast_world *w);
 void records_reserve(clast_world *w, size_t count);
-void records_place(clast_world *w);
+void records_forget(clast_world *w);
 
 /* contact.c: runs the kernel on all shares, adds up tallies */
 typedef struct stored_energy {
@@ -461,6 +509,7 @@ clast_status guards_check(clast_world *w);
 clast_status guards_check_start(clast_world *w);
 clast_status guards_check_energy(clast_world *w);
 clast_status guards_outside(clast_world *w);
+void bodies_leave(clast_world *w);
 clast_status timestep_choose(clast_world *w);
 double timestep_rayleigh(const clast_world *w);
 
