@@ -108,7 +108,10 @@ static bed bed_open(size_t n, double skin) {
         wide = settle(&s, 2e-3);
         if (!bed_file(name, "wb", &s, &wide)) abort();
     }
-    bed b = {.body = bodies_copy(&s, NULL), .half = list_near(&wide, &s, skin)};
+    bodies then = bodies_copy(&s, NULL);
+    contacts near = list_new(&s, skin);
+    list_carry(&near, &s, &wide, &then);
+    bed b = {.body = bodies_copy(&s, NULL), .half = near};
     b.full = list_full(&b.half, b.body.id, n);
     for (size_t k = 0; k < b.half.count; k++) b.touching += 2 * (b.half.overlap[k] > 0) / (double)n;
     return b;
@@ -267,7 +270,10 @@ static void layouts(const bed *b) {
         for (int l = 0; l < 3; l++) {
             choice how = {(layout)l, COPY, SCALAR, MAGIC, 64, threads, .timed = false};
             char what[80];
-            snprintf(what, sizeof what, "%s, scalar", names[l]);
+            snprintf(what, sizeof what, "%s", names[l]);
+            measure(b, how, what);
+            how.prefetch = true;
+            snprintf(what, sizeof what, "%s, prefetch", names[l]);
             measure(b, how, what);
 #ifdef __AVX__
             how.load = SHUFFLE, how.scatter = ROWS, how.turn = true;
@@ -279,19 +285,16 @@ static void layouts(const bed *b) {
 
 static void variants(const bed *b) {
 #ifdef __AVX__
-    const choice best = {HALF_EXACT, SHUFFLE, ROWS, MAGIC, 64, 1, .turn = true};
+    const choice best = {HALF_EXACT, SHUFFLE, ROWS, MAGIC, 64, 1, .turn = true, .prefetch = true};
 #else
-    const choice best = {HALF_EXACT, COPY, SCALAR, MAGIC, 64, 1, .turn = false};
+    const choice best = {HALF_EXACT, COPY, SCALAR, MAGIC, 64, 1, .prefetch = true};
 #endif
     choice v = best;
     measure(b, v, "c");
     v.lean = true, measure(b, v, "c lean law"), v = best;
     v.trail = true, measure(b, v, "c trailing bodies"), v = best;
-    v.prefetch = true, measure(b, v, "c prefetch"), v = best;
-    v.lean = v.trail = true, measure(b, v, "c lean, trailing");
-    v.prefetch = true, measure(b, v, "c lean, trailing, prefetch");
-    v.threads = 2, measure(b, v, "c lean, trailing, prefetch"), v = best;
-    v.lean = v.trail = true, v.threads = 2, measure(b, v, "c lean, trailing"), v = best;
+    v.prefetch = false, measure(b, v, "c no prefetch"), v = best;
+    v.lean = true, v.threads = 2, measure(b, v, "c lean law"), v = best;
     v.round = CAST, measure(b, v, "c cast"), v = best;
     v.scatter = BOTH, measure(b, v, "c scatter both"), v = best;
     v.scatter = BOTH, v.lean = true, measure(b, v, "c scatter both, lean"), v = best;

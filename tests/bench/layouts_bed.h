@@ -124,10 +124,14 @@ static int clampi(int i, int n) {
     return i < 0 ? 0 : i >= n ? n - 1 : i;
 }
 
+static size_t cell_at(const grid *g, int x, int y, int z) {
+    return ((size_t)z * (size_t)g->ny + (size_t)y) * (size_t)g->nx + (size_t)x;
+}
+
 static size_t cell_of(const grid *g, const bodies *s, size_t i) {
-    int cx = clampi((int)(s->x[i] / g->size), g->nx), cy = clampi((int)(s->y[i] / g->size), g->ny),
-        cz = clampi((int)(s->z[i] / g->size), g->nz);
-    return ((size_t)cz * (size_t)g->ny + (size_t)cy) * (size_t)g->nx + (size_t)cx;
+    return cell_at(g, clampi((int)(s->x[i] / g->size), g->nx),
+                   clampi((int)(s->y[i] / g->size), g->ny),
+                   clampi((int)(s->z[i] / g->size), g->nz));
 }
 
 /* Sorts the bodies by cell; returns the grid of the sorted ones. */
@@ -159,12 +163,12 @@ static int by_id(const void *p, const void *q) {
 /* Partners of body i closer than `reach` in slots from `from` on, in the order of ids. */
 static int partners(const bodies *s, const grid *g, size_t i, size_t from, double reach,
                     int32_t *found) {
-    int n = 0, c = (int)cell_of(g, s, i), cx = c % g->nx, cy = c / g->nx % g->ny,
-        cz = c / g->nx / g->ny;
+    int n = 0, cx = clampi((int)(s->x[i] / g->size), g->nx),
+        cy = clampi((int)(s->y[i] / g->size), g->ny), cz = clampi((int)(s->z[i] / g->size), g->nz);
     for (int k = 0; k < 27; k++) {
         int x = cx + k % 3 - 1, y = cy + k / 3 % 3 - 1, z = cz + k / 9 - 1;
         if (x < 0 || y < 0 || z < 0 || x >= g->nx || y >= g->ny || z >= g->nz) continue;
-        size_t cell = ((size_t)z * (size_t)g->ny + (size_t)y) * (size_t)g->nx + (size_t)x;
+        size_t cell = cell_at(g, x, y, z);
         for (size_t j = g->start[cell]; j < g->start[cell + 1]; j++) {
             double dx = s->x[i] - s->x[j], dy = s->y[i] - s->y[j], dz = s->z[i] - s->z[j];
             if (j >= from && j != i && dx * dx + dy * dy + dz * dz < reach * reach)
@@ -213,24 +217,6 @@ static contacts list_copy(const contacts *from, size_t n) {
     double *to[] = {c.overlap, c.normal, c.sx, c.sy, c.sz},
            *of[] = {from->overlap, from->normal, from->sx, from->sy, from->sz};
     for (int k = 0; k < 5; k++) memcpy(to[k], of[k], c.count * sizeof(double));
-    return c;
-}
-
-/* The pairs of a wide list with a gap below `skin`. */
-static contacts list_near(const contacts *wide, const bodies *s, double skin) {
-    contacts c = list_room(s->count, wide->count);
-    for (size_t i = 0; i < s->count; i++) {
-        c.first[i] = c.count;
-        for (size_t k = wide->first[i]; k < wide->first[i + 1]; k++) {
-            size_t j = (size_t)wide->b[k], to = c.count;
-            double dx = s->x[i] - s->x[j], dy = s->y[i] - s->y[j], dz = s->z[i] - s->z[j];
-            if (sqrt(dx * dx + dy * dy + dz * dz) > 2 * RADIUS + skin) continue;
-            c.a[to] = (int32_t)i, c.b[to] = (int32_t)j, c.count++;
-            c.overlap[to] = wide->overlap[k], c.normal[to] = wide->normal[k];
-            c.sx[to] = wide->sx[k], c.sy[to] = wide->sy[k], c.sz[to] = wide->sz[k];
-        }
-    }
-    c.first[s->count] = c.count;
     return c;
 }
 

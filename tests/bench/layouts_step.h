@@ -179,11 +179,12 @@ static size_t trail(run *r, int thread, size_t moved, size_t done) {
     return end;
 }
 
-INLINE void prefetch(const run *r, size_t first, size_t end) {
+INLINE void prefetch(const run *r, quanta *sum, size_t first, size_t end) {
     for (size_t i = first; i < end; i++) {
         const double *row = r->body.row + (size_t)r->list.b[i] * ROW;
         __builtin_prefetch(row);
         __builtin_prefetch(row + 8);
+        if (sum) __builtin_prefetch(sum + r->list.b[i], 1);
     }
 }
 
@@ -205,11 +206,12 @@ static void contact_pass(run *r, int thread) {
            moved = shared_until(r, thread);
     lap *laps = r->laps[thread];
     bool timed = r->how.timed;
+    quanta *sum = r->how.layout == HALF_EXACT ? r->sum[thread] - r->cut[thread] : NULL;
     for (size_t first = r->list.first[r->cut[thread]]; first < end; first += size) {
         size_t left = end - first;
         int n = (int)(left < size ? left : size);
         uint64_t t0 = ticks(timed);
-        if (r->how.prefetch && left > 2 * size) prefetch(r, first + size, first + 2 * size);
+        if (r->how.prefetch && left > 2 * size) prefetch(r, sum, first + size, first + 2 * size);
         load(r, first, n, &t);
         uint64_t t1 = ticks(timed);
         law(&t, &r->list, first, n, r->how.lean);
