@@ -10,6 +10,8 @@
 #endif
 contact_kernel CLAST_KERNEL;
 
+enum { GROUP = 16 }; /* lanes of the widest vector */
+
 /* One pass over one list. */
 typedef struct pass {
     const clast_world *w;
@@ -33,18 +35,21 @@ static void fill_coefficients(batch *b, int i, const pair_coef *c) {
     b->friction[i] = (real)c->friction, b->cohesion[i] = (real)c->cohesion;
 }
 
+/* As many lanes as the list can fill. */
 static void fill_constants(pass *p) {
     const clast_world *w = p->w;
     const shape *first = &w->shapes[0];
     double r = first->radius[0];
     const pair_coef *c = &w->coefs[first->material * (w->material_count + 1)];
-    for (int i = 0; i < LANES; i++) {
-        p->b.ra[i] = p->b.rb[i] = r;
-        p->b.radius[i] = (real)(0.5 * r), p->b.mass[i] = (real)(0.5 * first->mass);
-        p->b.per_small[i] = 1 / r;
-        fill_coefficients(&p->b, i, c);
-        for (int k = 0; k < 3; k++)
-            p->b.wb[k][i] = p->b.ob[k][i] = p->b.oa[k][i] = p->b.n[k][i] = p->b.v[k][i] = 0;
+    batch *b = &p->b;
+    int lanes = p->list->count < LANES - GROUP ? (int)p->list->count + GROUP : LANES;
+    for (int i = 0; i < lanes; i++) {
+        b->ra[i] = b->rb[i] = r;
+        b->radius[i] = (real)(0.5 * r), b->mass[i] = (real)(0.5 * first->mass);
+        b->per_small[i] = 1 / r;
+        fill_coefficients(b, i, c);
+        b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
+        for (int k = 0; k < 3; k++) b->wb[k][i] = b->ob[k][i] = 0;
     }
 }
 
@@ -390,7 +395,6 @@ static void report(pass *p, size_t begin, int count) {
 /* ---- the pass -------------------------------------------------------------------------------- */
 
 LANE_INLINE void run_list(pass *p, law_need need) {
-    enum { GROUP = 16 }; /* lanes of the widest vector */
     for (size_t begin = 0; begin < p->list->count; begin += LANES) {
         size_t left = p->list->count - begin;
         int count = left < LANES ? (int)left : LANES, padded = (count + GROUP - 1) / GROUP * GROUP;
@@ -462,7 +466,8 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     const speciality *k = &w->special;
     pass p;
     p.w = w, p.s = s, p.mode = mode;
-    memset(p.force, 0, sizeof p.force), memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
+    memset(p.force[2], 0, 2 * sizeof p.force[2]); /* what a flat scene does not fill */
+    memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
     p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps,
                         k->one_kind && !k->clumps};
     p.choice = choice_of(w, mode);

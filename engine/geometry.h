@@ -10,6 +10,7 @@ typedef struct approach {
     vec3 away;       /* m, from the nearest point to the centre; for planes along +normal */
     double distance; /* m, signed for planes */
     bool inside;
+    bool off_border; /* inside, and not at the rim: no other wall of the mesh holds the point */
 } approach;
 
 static inline double clamp(double x, double limit) {
@@ -59,23 +60,33 @@ static inline flat_way way_from_patch(const patch *p, double s, double t) {
     return best;
 }
 
+/* Nothing of a mesh lies over the inside of one of its patches. */
+static inline bool is_off_border(const wall *l, double s, double t) {
+    double slack = 1e-9 * l->bound;
+    return l->is_rectangle && fabs(s) < l->def.half_side[0] - slack &&
+           fabs(t) < l->def.half_side[1] - slack;
+}
+
 static inline approach wall_approach(const wall *l, vec3 centre) {
     vec3 d = v3_sub(centre, l->point);
     double height = v3_dot(d, l->n);
-    if (l->def.kind == CLAST_WALL_PLANE) return (approach){v3_scale(height, l->n), height, true};
+    if (l->def.kind == CLAST_WALL_PLANE)
+        return (approach){v3_scale(height, l->n), height, true, true};
     double s = v3_dot(d, l->u), t = v3_dot(d, l->v);
     flat_way way = {s - clamp(s, l->def.half_side[0]), t - clamp(t, l->def.half_side[1])};
-    if (l->def.kind == CLAST_WALL_PATCH) way = way_from_patch(&l->patch, s, t);
-    if (way.s == 0 && way.t == 0) return (approach){v3_scale(height, l->n), fabs(height), true};
+    if (l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle) way = way_from_patch(&l->patch, s, t);
+    if (way.s == 0 && way.t == 0)
+        return (approach){v3_scale(height, l->n), fabs(height), true, is_off_border(l, s, t)};
     vec3 away =
         v3_add(v3_scale(height, l->n), v3_add(v3_scale(way.s, l->u), v3_scale(way.t, l->v)));
-    return (approach){away, v3_norm(away), false};
+    return (approach){away, v3_norm(away), false, false};
 }
 
 /* Where plates or patches share a border or overlap in one plane, one of them is felt: a face
  * before an edge, and among equals in one plane the one that was added first. Two faces in
  * different planes are both felt. */
 static inline bool is_hidden(const clast_world *w, const wall *l, vec3 centre, const approach *a) {
+    if (a->off_border) return false;
     vec3 nearest = v3_sub(centre, a->away);
     for (int i = 0; i < l->joined_count; i++) {
         const wall *other = &w->walls[l->joined[i]];

@@ -106,21 +106,57 @@ static void group_triangles(mesh *m) {
 
 /* ---- patches into walls ---------------------------------------------------------------------- */
 
-static vec3 longest_edge(const clast_mesh_def *d, int triangle) {
+/* How a patch lies along one of the edges of its first triangle. */
+typedef struct layout {
+    vec3 u, v;
+    double low[2], high[2]; /* m, along u and v, from the first corner */
+    double area;            /* m2, of the triangles */
+} layout;
+
+static vec3 edge_of(const clast_mesh_def *d, int triangle, int k) {
     const int32_t *c = corners(d, triangle);
-    vec3 best = {0, 0, 0};
-    for (int k = 0; k < 3; k++) {
-        vec3 e = v3_sub(d->vertex[c[(k + 1) % 3]], d->vertex[c[k]]);
-        if (v3_dot(e, e) > v3_dot(best, best)) best = e;
-    }
-    return best;
+    return v3_sub(d->vertex[c[(k + 1) % 3]], d->vertex[c[k]]);
 }
 
-/* Sides and point of the wall of a patch, from its first triangle. */
-static void set_frame(wall *l, const mesh *m, int triangle) {
-    vec3 along = longest_edge(m->def, triangle);
-    l->u = v3_scale(1 / v3_norm(along), along);
-    l->v = v3_cross(l->n, l->u);
+static void stretch(layout *f, vec3 d) {
+    double at[2] = {v3_dot(d, f->u), v3_dot(d, f->v)};
+    for (int k = 0; k < 2; k++) {
+        f->low[k] = fmin(f->low[k], at[k]);
+        f->high[k] = fmax(f->high[k], at[k]);
+    }
+}
+
+static layout layout_along(const mesh *m, int first, const int *next, vec3 along) {
+    layout f = {.u = v3_scale(1 / v3_norm(along), along)};
+    f.v = v3_cross(m->normal[first], f.u);
+    vec3 origin = m->def->vertex[corners(m->def, first)[0]];
+    for (int t = first; t >= 0; t = next[t]) {
+        f.area += v3_norm(area_of(m->def, t));
+        for (int k = 0; k < 3; k++)
+            stretch(&f, v3_sub(m->def->vertex[corners(m->def, t)[k]], origin));
+    }
+    return f;
+}
+
+static bool fills_its_box(const layout *f) {
+    double box = (f->high[0] - f->low[0]) * (f->high[1] - f->low[1]);
+    return fabs(box - f->area) <= 1e-6 * box;
+}
+
+/* Sides and point of the wall: those of the rectangle that the patch fills, if it does. */
+static void set_frame(wall *l, const mesh *m, int first, const int *next) {
+    layout f = {.area = 0};
+    for (int k = 0; k < 3 && !l->is_rectangle; k++) {
+        f = layout_along(m, first, next, edge_of(m->def, first, k));
+        l->is_rectangle = fills_its_box(&f);
+    }
+    l->u = f.u, l->v = f.v;
+    if (l->is_rectangle) {
+        vec3 middle = v3_add(v3_scale(0.5 * (f.low[0] + f.high[0]), f.u),
+                             v3_scale(0.5 * (f.low[1] + f.high[1]), f.v));
+        l->point = l->def.point = v3_add(l->def.point, middle);
+        for (int k = 0; k < 2; k++) l->def.half_side[k] = 0.5 * (f.high[k] - f.low[k]);
+    }
     l->def.normal = l->n;
     l->def.side = l->u;
 }
@@ -152,7 +188,7 @@ static void add_patch(clast_world *w, int part_index, const mesh *m, int first, 
                           .normal = m->normal[first],
                           .belt_velocity = m->def->belt_velocity};
     wall *l = wall_new(w, part_index, &def);
-    set_frame(l, m, first);
+    set_frame(l, m, first, next);
     size_t size = 0;
     for (int t = first; t >= 0; t = next[t]) size++;
     l->patch.corner = memory_grow(w, NULL, 0, 6 * size, sizeof *l->patch.corner);

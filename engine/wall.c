@@ -123,23 +123,28 @@ static bool is_moving(const clast_part_def *d, double t) {
     return t >= d->move_from && !(d->move_until > 0 && t >= d->move_until);
 }
 
-static void move_part(clast_world *w, part *p, double t) {
+/* Whether its walls have to be put anew. */
+static bool move_part(clast_world *w, part *p, double t) {
     bool present = !(p->def.removed_at > 0 && t >= p->def.removed_at);
     if (present != p->present) w->stale = w->parts_changed = true;
     p->present = present;
-    vec3 before = p->offset;
-    p->offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
-    p->velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
-    double way = v3_norm(v3_sub(p->offset, before));
+    vec3 offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
+    vec3 velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
+    vec3 step = v3_sub(offset, p->offset), change = v3_sub(velocity, p->velocity);
+    bool still = v3_dot(step, step) == 0 && v3_dot(change, change) == 0 && w->prepared;
+    p->offset = offset, p->velocity = velocity;
+    double way = v3_norm(step);
     if (way > w->wall_way) w->wall_way = way;
+    return !still;
 }
 
 /* Puts every part where it is now. Positions are functions of time, never sums of steps. */
 void walls_move(clast_world *w) {
     double t = (double)w->step * w->dt;
+    bool any = false;
     w->wall_way = 0;
-    for (int i = 0; i < w->part_count; i++) move_part(w, &w->parts[i], t);
-    for (int i = 0; i < w->wall_count; i++) {
+    for (int i = 0; i < w->part_count; i++) any |= move_part(w, &w->parts[i], t);
+    for (int i = 0; i < w->wall_count && any; i++) {
         wall *l = &w->walls[i];
         const part *p = &w->parts[l->part];
         l->point = v3_add(l->def.point, p->offset);

@@ -144,6 +144,7 @@ typedef struct wall {
     double bound;          /* m, plate, patch: radius about the point that holds it all */
     vec3 half_box;         /* m, of the box about the point, likewise */
     patch patch;
+    bool is_rectangle;     /* a patch that fills the rectangle of half_side about its point */
     int *joined; /* plates or patches that share a border with this one */
     int joined_count, joined_room;
 } wall;
