@@ -14,6 +14,7 @@
  * run is a process of its own; rounds go over all configurations, and the median of the rounds
  * counts. */
 #include "tests/bench/exchange.h"
+#include "tests/bench/machine.h"
 #include "tests/bench/sample.h"
 
 #include <inttypes.h>
@@ -336,6 +337,7 @@ static int bench(const options *o) {
         write_scaling(o, rows, count);
     else
         write_tables(o, rows, count);
+    bench_machine_write(o->out);
     print_table(o, rows, count);
     free(rows);
     return 0;
