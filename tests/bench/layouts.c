@@ -285,7 +285,7 @@ static void layouts(const bed *b) {
 
 static void variants(const bed *b) {
 #ifdef __AVX__
-    const choice best = {HALF_EXACT, SHUFFLE, ROWS, MAGIC, 64, 1, .turn = true, .prefetch = true};
+    const choice best = {HALF_EXACT, SHUFFLE, BOTH, MAGIC, 64, 1, .turn = true, .prefetch = true};
 #else
     const choice best = {HALF_EXACT, COPY, SCALAR, MAGIC, 64, 1, .prefetch = true};
 #endif
