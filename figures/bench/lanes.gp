@@ -3,6 +3,7 @@
 # caption: Million sphere-steps per second on one thread with the same program held to one instruction set; the states after the run are the same to the bit.
 width = 12; height = 7.5
 load style
+load tools.'/bench/machine.gpi'
 set style data histograms
 set style histogram clustered gap 1.2
 set boxwidth 0.92 relative

@@ -3,6 +3,7 @@
 # caption: Beds like A from a thousand to a million spheres at rest. Above: time per sphere and step; the dashed lines mark where the engine's memory fills the caches of one core. Below: seconds to build and read the settled state, for the first step with everything it prepares, and to write one frame.
 width = 12; height = 13
 load style
+load tools.'/bench/machine.gpi'
 row(t) = sprintf("< awk -F, 'NR > 1 && $3 == %d' '%s/bench-scaling.csv'", t, data)
 cache(level) = number(system(sprintf("awk -F, '$1 == \"%s_bytes\" { print $2 }' '%s/bench-machine.csv'", level, data)))
 each = number(system(sprintf("awk -F, 'NR > 1 { v = $10 } END { print v }' '%s/bench-scaling.csv'", data)))
@@ -13,7 +14,7 @@ set multiplot
 set tmargin at screen 0.97; set bmargin at screen 0.56
 set ylabel 'ns per sphere and step'
 set yrange [0:*]
-set key bottom right
+set key at graph 0.985, 0.42 right
 array level[3] = ['l1d', 'l2', 'l3']; array said[3] = ['L1', 'L2', 'L3']
 do for [i=1:3] {
     at = cache(level[i]) / each

@@ -205,6 +205,15 @@ static void put_surroundings(FILE *f, clast_world *w) {
     put(f, "belt", clast_world_wall(w, 0).belt_velocity.x);
 }
 
+static void write_peer_walls(const bench_scene *scene, const char *out) {
+    char stem[4096];
+    snprintf(stem, sizeof stem, "%s/%s", out, scene->name);
+    FILE *f = open_out(out, scene->name, ".walls");
+    fprintf(f, "# walls that liggghts.in cannot build by itself\n");
+    if (scene->recipe->peer_walls) scene->recipe->peer_walls(f, stem);
+    fclose(f);
+}
+
 int bench_export(const bench_scene *scene, const char *states, const char *out) {
     bench_wish wish = {.threads = 1, .fresh = true};
     clast_world *w = bench_scene_open(scene, &wish, states);
@@ -229,6 +238,7 @@ int bench_export(const bench_scene *scene, const char *states, const char *out) 
         write_clump(f, scene->spheres, a.radius);
         fclose(f);
     }
+    write_peer_walls(scene, out);
     free(a.all);
     clast_world_free(w);
     return 0;

@@ -4,6 +4,8 @@
 
 #include "tests/bench/scenes.h"
 
+#include <stdio.h>
+
 typedef enum bench_stage {
     BENCH_FALLING, /* loose start, little global damping */
     BENCH_RESTING, /* much of it */
@@ -32,6 +34,9 @@ typedef struct bench_recipe {
     int threads;                              /* of the settling run; 0: the engine's choice */
     double (*fall)(const bench_scene *scene); /* s, then it comes to rest */
     double limit;                             /* s, at most so long after that */
+    /* LIGGGHTS commands for walls that its input file cannot build by itself, with files STEM-*; or
+     * NULL. */
+    void (*peer_walls)(FILE *include, const char *stem);
 } bench_recipe;
 
 extern const bench_recipe bench_box;     /* A: scene_box.c */

@@ -1,7 +1,6 @@
-/* scene_channel.c - P: the spheres of G on a plane instead of bars, what a peer that refuses the
- * bars can be compared on. A channel as long and as wide as the grate, tilted like it by 13 degrees
- * (gravity is); the spheres pile up at its lower end, and the floor drags them uphill at the speed
- * of the bars. */
+/* scene_channel.c - P: the spheres of G on a plane instead of bars, for a peer without meshes. A
+ * channel as long and as wide as the grate, tilted like it by 13 degrees (gravity is); the spheres
+ * pile up at its lower end, and the floor drags them uphill at the speed of the bars. */
 #include "tests/bench/recipe.h"
 
 #include <math.h>

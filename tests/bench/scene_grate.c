@@ -10,6 +10,7 @@
 enum { BARS = 11 };
 static const double LENGTH = 0.190, HEIGHT = 0.030; /* m, of a bar */
 static const double RADIUS = 0.0075, HALF_WIDTH = 0.016;
+static const double FIRST = 0.0824; /* m, of bar 1 that shows, as of every other */
 static const double DEGREE = 3.14159265358979 / 180;
 
 typedef struct grate {
@@ -37,29 +38,81 @@ static clast_vec3 place_on(const grate *g, int bar, double back, double below) {
                         n.z - back * g->sine - below * g->cosine};
 }
 
-/* The bar as a closed box of 12 triangles, as long as it is and as wide as the real ones, 1 m. */
-static void add_bar(clast_world *w, const grate *g, int bar, bench_stage stage) {
-    static const int32_t BOX[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                       {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                       {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+/* Corners have x in bit 0, y in bit 1, z in bit 2. */
+static const int32_t BOX[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                   {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                   {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+
+/* The bar as a closed box, as long and high as it is and half as wide again as the channel. */
+static void corners_of(const grate *g, int bar, clast_vec3 corner[8]) {
+    for (int v = 0; v < 8; v++) {
+        corner[v] = place_on(g, bar, v & 1 ? 0 : LENGTH, v & 4 ? 0 : HEIGHT);
+        corner[v].y = (v & 2 ? 1.5 : -1.5) * HALF_WIDTH;
+    }
+}
+
+static clast_vec3 velocity_of(const grate *g, int bar) {
     double speed = (bar % 2 ? 1 : -1) * (2.5e-3 + 1e-4 * bar);
-    if (stage != BENCH_RUNNING) speed = 0;
+    return (clast_vec3){speed * g->cosine, 0, speed * g->sine};
+}
+
+static void add_bar(clast_world *w, const grate *g, int bar, bench_stage stage) {
     char name[16];
     snprintf(name, sizeof name, "bar %d", bar + 1);
-    clast_vec3 vertex[8];
-    for (int v = 0; v < 8; v++) {
-        vertex[v] = place_on(g, bar, v & 1 ? 0 : LENGTH, v & 4 ? 0 : HEIGHT);
-        vertex[v].y = v & 2 ? 0.5 : -0.5;
-    }
-    clast_vec3 along = {speed * g->cosine, 0, speed * g->sine};
+    clast_vec3 corner[8], rest = {0, 0, 0};
+    corners_of(g, bar, corner);
+    clast_vec3 along = stage == BENCH_RUNNING ? velocity_of(g, bar) : rest;
     int part = clast_part_add(w, &(clast_part_def){.name = name, .velocity = along});
     clast_mesh_def box = {.name = name,
                           .material = BENCH_WALL,
                           .vertices = 8,
                           .triangles = 12,
-                          .vertex = vertex,
+                          .vertex = corner,
                           .triangle = &BOX[0][0]};
     if (clast_mesh_add(w, part, &box) < 0) bench_fail(w, name);
+}
+
+/* ---- for LIGGGHTS ------------------------------------------------------------------------------
+ */
+
+static void write_stl(const char *path, const clast_vec3 corner[8]) {
+    FILE *f = fopen(path, "w");
+    if (!f) bench_fail(NULL, path);
+    fprintf(f, "solid bar\n");
+    for (int t = 0; t < 12; t++) {
+        fprintf(f, "facet normal 0 0 0\n outer loop\n");
+        for (int k = 0; k < 3; k++) {
+            clast_vec3 p = corner[BOX[t][k]];
+            fprintf(f, "  vertex %.9g %.9g %.9g\n", p.x, p.y, p.z);
+        }
+        fprintf(f, " endloop\nendfacet\n");
+    }
+    fprintf(f, "endsolid bar\n");
+    fclose(f);
+}
+
+/* A mesh and its motion for every bar, and the walls of the channel. */
+static void grate_peer_walls(FILE *f, const char *stem) {
+    const char *wall = "all wall/gran model hertz tangential history";
+    grate g = grate_new();
+    for (int i = 0; i < BARS; i++) {
+        char path[4096];
+        clast_vec3 corner[8], v = velocity_of(&g, i);
+        snprintf(path, sizeof path, "%s-bar-%d.stl", stem, i + 1);
+        corners_of(&g, i, corner);
+        write_stl(path, corner);
+        fprintf(f, "fix bar%d all mesh/surface file %s type 2\n", i + 1, path);
+        fprintf(f, "fix move%d all move/mesh mesh bar%d linear %.12g %.12g %.12g\n", i + 1, i + 1,
+                v.x, v.y, v.z);
+    }
+    fprintf(f, "fix w1 %s mesh n_meshes %d meshes", wall, BARS);
+    for (int i = 0; i < BARS; i++) fprintf(f, " bar%d", i + 1);
+    fprintf(f, " limitForce on\n");
+    const double at[4] = {-HALF_WIDTH, HALF_WIDTH, place_on(&g, 0, FIRST, 0).x,
+                          place_on(&g, BARS - 1, HEIGHT, 0).x};
+    for (int k = 0; k < 4; k++)
+        fprintf(f, "fix w%d %s primitive type 2 %cplane %.12g limitForce on\n", k + 2, wall,
+                k < 2 ? 'y' : 'x', at[k]);
 }
 
 /* Side walls, a wall behind the first pocket and one through the last bar, which keeps its top on
@@ -70,7 +123,7 @@ static void add_box(clast_world *w, const grate *g) {
                 (clast_vec3){0, 1, 0});
     bench_plane(w, box, "side 2", BENCH_WALL, (clast_vec3){0, HALF_WIDTH, 0},
                 (clast_vec3){0, -1, 0});
-    bench_plane(w, box, "inlet", BENCH_WALL, place_on(g, 0, 0.0824, 0), (clast_vec3){1, 0, 0});
+    bench_plane(w, box, "inlet", BENCH_WALL, place_on(g, 0, FIRST, 0), (clast_vec3){1, 0, 0});
     bench_plane(w, box, "outlet", BENCH_WALL, place_on(g, BARS - 1, HEIGHT, 0),
                 (clast_vec3){-1, 0, 0});
 }
@@ -115,7 +168,7 @@ static void grate_fill(clast_world *w, const bench_scene *scene, const char *sta
     (void)states;
     grate g = grate_new();
     const double pitch = 2.2 * RADIUS, play = 0.0005;
-    double from = -0.0824 + pitch, to = (BARS - 1) * g.next.x - HEIGHT - pitch;
+    double from = -FIRST + pitch, to = (BARS - 1) * g.next.x - HEIGHT - pitch;
     int along = (int)floor((to - from) / pitch);
     for (size_t i = 0; i < scene->bodies; i++) {
         int y = (int)i % 2, x = (int)i / 2 % along, layer = (int)i / 2 / along;
@@ -132,5 +185,6 @@ static double grate_fall(const bench_scene *scene) {
     return 0.5;
 }
 
-const bench_recipe bench_grate = {"grate",         grate_world,        grate_fill,   grate_law,
-                                  grate_half_size, .fall = grate_fall, .threads = 1, .limit = 3};
+const bench_recipe bench_grate = {"grate",      grate_world,     grate_fill,
+                                  grate_law,    grate_half_size, .fall = grate_fall,
+                                  .threads = 1, .limit = 3,      .peer_walls = grate_peer_walls};

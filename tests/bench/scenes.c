@@ -43,7 +43,7 @@ const bench_scene bench_scenes[] = {
 const int bench_scene_count = sizeof bench_scenes / sizeof *bench_scenes;
 
 /* Counts up whenever a settled state of an older recipe must not be used any more. */
-enum { STATE_VERSION = 3 };
+enum { STATE_VERSION = 4 };
 
 const bench_scene *bench_scene_find(const char *name) {
     for (int i = 0; i < bench_scene_count; i++)

@@ -10,7 +10,7 @@ struct bench_recipe; /* how a scene is built and settled: recipe.h */
 
 typedef enum bench_use {
     BENCH_USE_ALL,    /* ours and the peers' */
-    BENCH_USE_PEERS,  /* what stands beside a scene that the peers refuse */
+    BENCH_USE_PEERS,  /* in place of G for a peer without meshes */
     BENCH_USE_SCALING /* cost against size */
 } bench_use;
 

@@ -86,16 +86,8 @@ END {
             best[f[1], f[4]] = speed(run); best_cpu[f[1], f[4]] = cpu_speed(run); name[f[1], f[4]] = f[2]
         }
     }
-    for (s = 1; s <= scenes; s++) { # what no peer takes stands beside the same spheres on a plane
-        if (scene_order[s] !~ /^G/) continue
-        twin = scene_order[s]; sub(/^G/, "P", twin)
-        for (c = 1; c <= 64; c++) {
-            best[scene_order[s], c] = best[twin, c]; best_cpu[scene_order[s], c] = best_cpu[twin, c]
-            name[scene_order[s], c] = name[twin, c] " P"
-        }
-    }
     if (busy) print "BUSY: some runs had less than 0.9 of their cores (column least_cpu_share): read the ratios with care"
-    printf "\nmillion sphere-steps per second; ratio: ours over the fastest peer with the same full law\n(G: over a peer on P, its plane); by cpu: the same by time of the processors\n"
+    printf "\nmillion sphere-steps per second; ratio: ours over the fastest peer with the same full law\n(LAMMPS has no meshes, so D and G are against LIGGGHTS); by cpu: the same by time of the processors\n"
     printf "%-6s %5s %9s %9s %9s %9s %9s | %-10s %6s %9s %9s %9s\n", "scene", "cores", "clast", "baseline", "lammps", \
         "liggghts", "simple", "fastest", "ratio", "baseline", "simple", "by cpu"
     for (s = 1; s <= scenes; s++)
