@@ -154,6 +154,7 @@ static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
     scene_read(&reader, &draft);
     if (options->threads > 0) draft.def.threads = options->threads;
     if (options->isa != CLAST_ISA_AUTO) draft.def.isa = options->isa;
+    if (options->mixed) draft.def.precision = CLAST_PRECISION_MIXED;
     if (options->fit_spheres > 0) refit(&draft, options->fit_spheres);
     scene_check(&reader, &draft);
     if (faults->errors) return NULL;
