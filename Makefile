@@ -3,7 +3,8 @@ BUILD ?= build
 SIZE  ?=
 JOBS  ?= $(shell nproc)
 
-.PHONY: all build figures test validate bench check-asan check-tsan check-clang check-valgrind \
+.PHONY: all build figures test validate bench bench-peers bench-scaling \
+        bench-figures precision check-asan check-tsan check-clang check-valgrind \
         check clean format
 
 all: build
@@ -27,8 +28,9 @@ validate: build
 validate-%: build
 	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target validate-$*
 
-bench: build
-	@cmake --build $(BUILD) --target bench
+# Speed: the engine's scenes and the renderer; beside the peers; against size; against error.
+bench bench-peers bench-scaling bench-figures precision: build
+	@cmake --build $(BUILD) --target $@
 
 test: build
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)

@@ -70,11 +70,12 @@ void contacts_evaluate(clast_world *w) {
     book_parts(w);
 }
 
+/* All of the overhang: what lies beyond its count comes alive when the count grows. */
 static void clear_loads(clast_world *w) {
     memset(w->rows.loads, 0, w->bodies.count * sizeof *w->rows.loads);
     for (int t = 0; t < w->threads; t++) {
         share *s = &w->shares[t];
-        if (s->overhang_count > 0) memset(s->overhang, 0, s->overhang_count * sizeof *s->overhang);
+        if (s->overhang) memset(s->overhang, 0, s->overhang_capacity * sizeof *s->overhang);
     }
 }
 

@@ -19,7 +19,7 @@ typedef struct pass {
     const contact_list *list;
     contact_report *report;
     contact_mode mode;
-    bool with_walls;
+    bool with_walls, far; /* far: rows do not fit into the second-level cache */
     law_need need;
     law_choice choice;
     contact_tally tally;
@@ -40,12 +40,14 @@ static void fill_constants(pass *p) {
     const clast_world *w = p->w;
     const shape *first = &w->shapes[0];
     double r = first->radius[0];
-    const pair_coef *c = &w->coefs[first->material * (w->material_count + 1)];
+    int other = p->with_walls ? w->walls[0].def.material : first->material;
+    const pair_coef *c = &w->coefs[first->material * w->material_count + other];
+    double effective = p->with_walls ? 1 : 0.5; /* of radius and mass */
     batch *b = &p->b;
     int lanes = p->list->count < LANES - GROUP ? (int)p->list->count + GROUP : LANES;
     for (int i = 0; i < lanes; i++) {
         b->ra[i] = b->rb[i] = r;
-        b->radius[i] = (real)(0.5 * r), b->mass[i] = (real)(0.5 * first->mass);
+        b->radius[i] = (real)(effective * r), b->mass[i] = (real)(effective * first->mass);
         b->per_small[i] = 1 / r;
         fill_coefficients(b, i, c);
         b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
@@ -181,7 +183,22 @@ static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count) {
     }
 }
 
+/* Rows and loads of the partners of the next batch, where they are too many for the second-level
+ * cache: a third of the pass at 100 000 spheres, nothing but instructions at 20 000. */
+LANE_INLINE void prefetch_batch(const pass *p, size_t begin, law_need need) {
+    const row_store *r = &p->w->rows;
+    size_t left = p->list->count - begin;
+    const int32_t *b = p->list->b + begin;
+    for (size_t i = 0; i < (left < LANES ? left : LANES); i++) {
+        size_t sphere = (size_t)b[i], body = need.clumps ? (size_t)r->arm[sphere].body : sphere;
+        __builtin_prefetch(&r->centre[sphere]);
+        __builtin_prefetch(&r->motion[body]);
+        __builtin_prefetch(&r->loads[body], 1);
+    }
+}
+
 LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
+    if (p->far && begin + LANES < p->list->count) prefetch_batch(p, begin + LANES, need);
     const int32_t *a = p->list->a + begin, *b = p->list->b + begin;
     const row_store *r = &p->w->rows;
     for (int i = load_fours(p, a, b, count, need); i < count; i++)
@@ -205,9 +222,11 @@ static void load_wall_contact(pass *p, int i, size_t sphere, const wall *l) {
     b->v[0][i] = (real)(m->v[0] - v.x), b->v[1][i] = (real)(m->v[1] - v.y);
     b->v[2][i] = (real)(m->v[2] - v.z);
     for (int k = 0; k < 3; k++) b->wa[k][i] = (real)m->w[k];
-    b->radius[i] = (real)ca->radius, b->mass[i] = (real)m->mass;
-    b->per_small[i] = 1 / ca->radius;
-    fill_coefficients(b, i, &w->coefs[m->material * w->material_count + l->def.material]);
+    if (!w->special.one_wall) {
+        b->radius[i] = (real)ca->radius, b->mass[i] = (real)m->mass;
+        b->per_small[i] = 1 / ca->radius;
+        fill_coefficients(b, i, &w->coefs[m->material * w->material_count + l->def.material]);
+    }
     if (!w->special.clumps) return;
     for (int k = 0; k < 3; k++) b->oa[k][i] = (real)r->arm[sphere].arm[k];
 }
@@ -251,7 +270,13 @@ LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
         }
     }
 #pragma omp simd
-    for (int i = 0; i < padded; i++) contact_law(b, h, i, choice, need);
+    for (int i = 0; i < padded; i++) law_normal(b, h, i, choice, need);
+    if (need.tangent) {
+#pragma omp simd
+        for (int i = 0; i < padded; i++) law_spring(b, h, i, choice, need);
+    }
+#pragma omp simd
+    for (int i = 0; i < padded; i++) law_force(b, h, i, need);
 }
 
 /* Exact sums have no order, so they may be taken lane by lane. */
@@ -466,6 +491,7 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     const speciality *k = &w->special;
     pass p;
     p.w = w, p.s = s, p.mode = mode;
+    p.far = w->bodies.count > 40000;
     memset(p.force[2], 0, 2 * sizeof p.force[2]); /* what a flat scene does not fill */
     memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
     p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps,

@@ -63,8 +63,10 @@ typedef struct batch {
     real radius[LANES], mass[LANES]; /* effective */
     real k_normal[LANES], k_tangent[LANES], c_normal[LANES], c_tangent[LANES]; /* pair_coef */
     real friction[LANES], cohesion[LANES];
-    double per_small[LANES];             /* 1/m, of the smaller radius */
-    real f[3][LANES];                    /* N, on a */
+    double per_small[LANES]; /* 1/m, of the smaller radius */
+    real slip[3][LANES];     /* m/s, in the tangent plane at the contact point */
+    real limit[LANES], k_dt[LANES], c_t[LANES], factor[LANES]; /* of the spring and its dashpot */
+    real f[3][LANES];                                          /* N, on a */
     real ta[3][LANES], tb[3][LANES];     /* N m, on a and on b about their centres of mass */
     real elastic[LANES], dashpot[LANES]; /* J, work of the normal force over the last step */
 } batch;
@@ -169,19 +171,6 @@ LANE_INLINE three slip_of(const batch *b, int i, three n, law_need need) {
     return add3(need, v, -1, swing3(need, u, n));
 }
 
-/* The spring after this step, clipped to its limit. */
-LANE_INLINE three spring_after(three s, three n, three slip, real k_dt, real factor, real limit,
-                               law_choice c, law_need need) {
-    real length2 = dot3(need, s, s), along = c.advance * dot3(need, s, n);
-    s = add3(need, s, -along, n); /* into the tangent plane of now, at its length */
-    real flat2 = dot3(need, s, s);
-    real keep = flat2 > 0 ? REAL_SQRT(length2 / flat2) : 0;
-    keep = c.advance * (keep * factor) + c.again;
-    s = add3(need, scale3(need, keep, s), -k_dt, slip);
-    real clip = limited(dot3(need, s, s), limit);
-    return scale3(need, c.advance * clip + c.again, s);
-}
-
 LANE_INLINE void store3(real (*to)[LANES], int i, three a) {
     to[0][i] = a.x, to[1][i] = a.y, to[2][i] = a.z;
 }
@@ -210,7 +199,9 @@ LANE_INLINE void book_work(batch *b, int i, elastic now, elastic old, real f_n, 
     b->dashpot[i] = (real)-0.5 * ((old_f_n - old.force) + (f_n - now.force)) * way;
 }
 
-LANE_INLINE void contact_law(batch *b, history_lanes h, int i, law_choice c, law_need need) {
+/* The law in three loops over the lanes: in one, every lane would wait for a chain of a dozen roots
+ * and divisions, and a processor looks ahead over one or two groups of lanes only. */
+LANE_INLINE void law_normal(batch *b, history_lanes h, int i, law_choice c, law_need need) {
     three n = {(real)b->n[0][i], (real)b->n[1][i], (real)b->n[2][i]};
     real overlap = b->depth[i], old_overlap = h.overlap[i];
     elastic now = elastic_at(b, i, overlap, need), old = elastic_at(b, i, old_overlap, need);
@@ -224,21 +215,39 @@ LANE_INLINE void contact_law(batch *b, history_lanes h, int i, law_choice c, law
     book_work(b, i, now, old, f_n, h.normal[i], way);
     h.overlap[i] = overlap;
     h.normal[i] = f_n;
-    three f_t = {0, 0, 0};
+    if (!need.tangent) return;
+    real load = c.limit_total * f_n + c.limit_elastic * now.force, touching = overlap > 0 ? 1 : 0;
+    b->limit[i] = touching * (b->friction[i] * load + b->cohesion[i]);
+    b->k_dt[i] = b->k_tangent[i] * now.a * c.dt;
+    b->c_t[i] = b->c_tangent[i] * root;
+    b->factor[i] = spring_factor(c, now.a, old.a);
+    store3(b->slip, i, add3(need, slip, -v_n, n));
+}
+
+/* The spring turned into the tangent plane of now at its length, loaded and clipped. */
+LANE_INLINE void law_spring(batch *b, history_lanes h, int i, law_choice c, law_need need) {
+    three n = {(real)b->n[0][i], (real)b->n[1][i], (real)b->n[2][i]};
+    three s = {h.sx[i], h.sy[i], need.flat ? 0 : h.sz[i]};
+    real length2 = dot3(need, s, s), along = c.advance * dot3(need, s, n);
+    s = add3(need, s, -along, n);
+    real flat2 = dot3(need, s, s);
+    real keep = flat2 > 0 ? REAL_SQRT(length2 / flat2) : 0;
+    keep = c.advance * (keep * b->factor[i]) + c.again;
+    s = add3(need, scale3(need, keep, s), -b->k_dt[i], COLUMN3(b->slip, i));
+    real clip = limited(dot3(need, s, s), b->limit[i]);
+    s = scale3(need, c.advance * clip + c.again, s);
+    h.sx[i] = s.x, h.sy[i] = s.y;
+    if (!need.flat) h.sz[i] = s.z;
+}
+
+LANE_INLINE void law_force(batch *b, history_lanes h, int i, law_need need) {
+    three n = {(real)b->n[0][i], (real)b->n[1][i], (real)b->n[2][i]}, f_t = {0, 0, 0};
     if (need.tangent) {
-        slip = add3(need, slip, -v_n, n);
-        real load = c.limit_total * f_n + c.limit_elastic * now.force;
-        real touching = overlap > 0 ? 1 : 0;
-        real limit = touching * (b->friction[i] * load + b->cohesion[i]);
         three s = {h.sx[i], h.sy[i], need.flat ? 0 : h.sz[i]};
-        s = spring_after(s, n, slip, b->k_tangent[i] * now.a * c.dt, spring_factor(c, now.a, old.a),
-                         limit, c, need);
-        f_t = add3(need, s, -(b->c_tangent[i] * root), slip);
-        f_t = scale3(need, limited(dot3(need, f_t, f_t), limit), f_t);
-        h.sx[i] = s.x, h.sy[i] = s.y;
-        if (!need.flat) h.sz[i] = s.z;
+        f_t = add3(need, s, -b->c_t[i], COLUMN3(b->slip, i));
+        f_t = scale3(need, limited(dot3(need, f_t, f_t), b->limit[i]), f_t);
     }
-    three f = add3(need, f_t, f_n, n);
+    three f = add3(need, f_t, h.normal[i], n);
     store3(b->f, i, f);
     store_torques(b, i, n, f, f_t, need);
 }

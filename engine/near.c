@@ -127,6 +127,17 @@ static void push_back(clast_world *w, refresh *r, size_t room) {
     r->read = end - left, r->end = end;
 }
 
+/* One entry; a call of memmove() for each number would cost more than all the rest. */
+static void move_one(const clast_world *w, contact_list *l, size_t to, size_t from) {
+    l->a[to] = l->a[from], l->b[to] = l->b[from];
+    for (int k = 0; k < HISTORY_COLUMNS; k++) {
+        if (w->def.precision == CLAST_PRECISION_MIXED)
+            ((float *)l->column[k])[to] = ((float *)l->column[k])[from];
+        else
+            ((double *)l->column[k])[to] = ((double *)l->column[k])[from];
+    }
+}
+
 static void refresh_pair(clast_world *w, refresh *r, int32_t a, int32_t b, bool near) {
     contact_list *l = r->l;
     bool known = r->read < r->end && l->a[r->read] == a && l->b[r->read] == b;
@@ -135,7 +146,7 @@ static void refresh_pair(clast_world *w, refresh *r, int32_t a, int32_t b, bool 
         return;
     }
     if (known) {
-        if (r->write != r->read) entry_move(w, l, r->write, r->read, 1);
+        if (r->write != r->read) move_one(w, l, r->write, r->read);
         r->read++;
     } else {
         if (r->write == r->read) push_back(w, r, 1 + (r->end - r->read) / 8);
@@ -239,7 +250,7 @@ static void refresh_thread(void *context, int thread) {
 
 void lists_refresh(clast_world *w) {
     double r = w->smallest_radius, most = w->skin < 0.1 * r ? w->skin : 0.1 * r;
-    w->margin = tuned(w->margin, w->step - w->steps_contacts, 12, 40, 0.001 * r, most);
+    w->margin = tuned(w->margin, w->step - w->steps_contacts, 16, 60, 0.001 * r, most);
     parallel_run(w->threads, refresh_thread, w);
     w->way_contacts = 0;
     w->steps_contacts = w->step;

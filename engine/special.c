@@ -89,6 +89,9 @@ void special_choose(clast_world *w) {
         for (int e = 0; e < s->spheres; e++) k.one_kind &= s->radius[e] == first->radius[0];
     }
     k.one_kind &= k.one_material;
+    k.one_wall = k.one_kind;
+    for (int l = 1; l < w->wall_count; l++)
+        k.one_wall &= w->walls[l].def.material == w->walls[0].def.material;
     k.flat = is_flat(w);
     w->special = k;
 }

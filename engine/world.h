@@ -271,6 +271,7 @@ typedef struct speciality {
     bool tangent;  /* friction or cohesion somewhere */
     bool one_kind; /* all spheres alike: radius, mass, material */
     bool one_material, one_shape;
+    bool one_wall;  /* spheres of one kind, walls of one material */
     bool round; /* all bodies have three equal moments */
 } speciality;
 
@@ -360,10 +361,12 @@ struct clast_world {
 /* ---- frames ---------------------------------------------------------------------------------- */
 
 static inline vec3 to_kernel(const clast_world *w, vec3 a) {
+    if (w->axes[0] == 0) return a; /* the frames are one */
     return v3(v3_at(a, w->axes[0]), v3_at(a, w->axes[1]), v3_at(a, w->axes[2]));
 }
 
 static inline vec3 from_kernel(const clast_world *w, vec3 a) {
+    if (w->axes[0] == 0) return a;
     double world[3];
     world[w->axes[0]] = a.x, world[w->axes[1]] = a.y, world[w->axes[2]] = a.z;
     return v3(world[0], world[1], world[2]);

@@ -10,7 +10,13 @@ LANE_INLINE void run(lanes *l, int count, law_choice choice, law_need need) {
 #pragma omp simd
     for (int i = 0; i < count; i++) effective_lane(b, i);
 #pragma omp simd
-    for (int i = 0; i < count; i++) contact_law(b, h, i, choice, need);
+    for (int i = 0; i < count; i++) law_normal(b, h, i, choice, need);
+    if (need.tangent) {
+#pragma omp simd
+        for (int i = 0; i < count; i++) law_spring(b, h, i, choice, need);
+    }
+#pragma omp simd
+    for (int i = 0; i < count; i++) law_force(b, h, i, need);
 }
 
 void LAW_RUN(lanes *l, int count, law_choice choice, int need) {
