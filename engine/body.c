@@ -56,14 +56,12 @@ static void permute_column(void *column, size_t size, const uint32_t *order, siz
 /* Slot i gets what stood in order[i]. */
 void body_permute(clast_world *w, const uint32_t *order) {
     body_store *b = &w->bodies;
-    if (w->cells.permute_capacity < b->capacity) {
-        w->cells.permute =
-            memory_grow(w, w->cells.permute, w->cells.permute_capacity * 8, b->capacity * 8, 1);
-        w->cells.permute_capacity = b->capacity;
-    }
-#define X(type, name) permute_column(b->name, sizeof(type), order, b->count, w->cells.permute);
+    size_t room = b->count * sizeof(double); /* of the widest column */
+    void *scratch = memory_grow(w, NULL, 0, room, 1);
+#define X(type, name) permute_column(b->name, sizeof(type), order, b->count, scratch);
     BODY_COLUMNS(X)
 #undef X
+    memory_release(scratch), memory_return(w, room);
     for (size_t i = 0; i < b->count; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
 }
 

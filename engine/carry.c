@@ -80,17 +80,18 @@ static void place_entry(clast_world *w, contact_list *l, size_t k, bool with_wal
     if (l->a[k] > l->b[k]) entry_turn(w, l, k);
 }
 
-static void reserve_places(clast_world *w, size_t entries) {
+static void make_places(clast_world *w, size_t entries) {
     carry_store *c = &w->carry;
-    size_t spheres = w->sphere_count + 2;
-    if (spheres > c->first_capacity) {
-        c->first = memory_grow(w, c->first, c->first_capacity, spheres, sizeof *c->first);
-        c->first_capacity = spheres;
-    }
-    if (entries > c->order_capacity) {
-        c->order = memory_grow(w, c->order, c->order_capacity, entries, sizeof *c->order);
-        c->order_capacity = entries;
-    }
+    c->entries = entries;
+    c->first = memory_grow(w, NULL, 0, w->sphere_count + 2, sizeof *c->first);
+    c->order = memory_grow(w, NULL, 0, entries + 1, sizeof *c->order);
+}
+
+static void drop_places(clast_world *w) {
+    carry_store *c = &w->carry;
+    memory_return(w, (w->sphere_count + 2 + c->entries + 1) * sizeof *c->first);
+    memory_release(c->first), memory_release(c->order);
+    c->first = c->order = NULL;
 }
 
 /* Names become spheres; entries are sorted by their sphere of lower index. Needs rows laid out. */
@@ -102,8 +103,7 @@ void carry_place(clast_world *w) {
         entries += c->list[l].count;
     }
     c->base[c->lists] = (uint32_t)entries;
-    reserve_places(w, entries);
-    for (size_t i = 0; i < w->sphere_count + 2; i++) c->first[i] = 0;
+    make_places(w, entries);
     for (int l = 0; l < c->lists; l++)
         for (size_t k = 0; k < c->list[l].count; k++) {
             place_entry(w, &c->list[l], k, l % 2 == 1);
@@ -164,9 +164,9 @@ void carry_end(clast_world *w) {
         memory_release(list->a), memory_release(list->b);
     }
     w->carry.lists = 0;
+    drop_places(w);
 }
 
 void carry_free(clast_world *w) {
     memory_release(w->carry.list), memory_release(w->carry.base);
-    memory_release(w->carry.first), memory_release(w->carry.order);
 }

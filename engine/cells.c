@@ -43,18 +43,10 @@ static uint32_t cell_of(const cell_grid *g, double x, double y, double z) {
 }
 
 static void reserve(clast_world *w, size_t cells) {
-    size_t bodies = w->bodies.capacity;
-    if (w->cells.body_capacity < bodies) {
-        size_t old = w->cells.body_capacity;
-        w->cells.cell_of = memory_grow(w, w->cells.cell_of, old, bodies, sizeof(uint32_t));
-        w->cells.order = memory_grow(w, w->cells.order, old, bodies, sizeof(uint32_t));
-        w->cells.body_capacity = bodies;
-    }
-    if (w->cells.cell_capacity < cells + 1) {
-        w->cells.cell_first = memory_grow(w, w->cells.cell_first, w->cells.cell_capacity, cells + 1,
-                                          sizeof(uint32_t));
-        w->cells.cell_capacity = cells + 1;
-    }
+    if (w->cells.cell_capacity >= cells + 1) return;
+    w->cells.cell_first =
+        memory_grow(w, w->cells.cell_first, w->cells.cell_capacity, cells + 1, sizeof(uint32_t));
+    w->cells.cell_capacity = cells + 1;
 }
 
 /* Counting sort of the bodies by cell; afterwards cell c holds slots cell_first[c] ..
@@ -64,17 +56,19 @@ void cells_sort(clast_world *w, double reach) {
     cell_grid g = cells_grid(w, reach);
     size_t cells = (size_t)g.nx * (size_t)g.ny * (size_t)g.nz;
     reserve(w, cells);
-    uint32_t *first = w->cells.cell_first;
+    size_t scratch = 2 * b->count * sizeof(uint32_t);
+    uint32_t *first = w->cells.cell_first, *cell = memory_grow(w, NULL, 0, scratch, 1);
+    uint32_t *order = cell + b->count;
     memset(first, 0, (cells + 1) * sizeof *first);
     for (size_t i = 0; i < b->count; i++) {
-        w->cells.cell_of[i] = cell_of(&g, b->x[i], b->y[i], b->z[i]);
-        first[w->cells.cell_of[i] + 1]++;
+        cell[i] = cell_of(&g, b->x[i], b->y[i], b->z[i]);
+        first[cell[i] + 1]++;
     }
     for (size_t c = 0; c < cells; c++) first[c + 1] += first[c];
-    for (size_t i = 0; i < b->count; i++)
-        w->cells.order[first[w->cells.cell_of[i]]++] = (uint32_t)i;
+    for (size_t i = 0; i < b->count; i++) order[first[cell[i]]++] = (uint32_t)i;
     for (size_t c = cells; c > 0; c--) first[c] = first[c - 1];
     first[0] = 0;
-    body_permute(w, w->cells.order);
+    body_permute(w, order);
+    memory_release(cell), memory_return(w, scratch);
     w->cells.grid = g;
 }

@@ -249,7 +249,7 @@ typedef struct carry_store {
     uint32_t *base;   /* per list and one more: number of its first entry */
     uint32_t *first;  /* per sphere and two more: its first place in the order */
     uint32_t *order;  /* entries by their sphere of lower index */
-    size_t first_capacity, order_capacity;
+    size_t entries;
 } carry_store;
 
 typedef struct carried {
@@ -344,12 +344,10 @@ struct clast_world {
         size_t sphere_capacity;
     } view;
 
-    struct { /* scratch of the neighbour search */
+    struct { /* of the neighbour search */
         cell_grid grid;
-        uint32_t *cell_of, *cell_first, *order;
-        size_t body_capacity, cell_capacity;
-        void *permute;
-        size_t permute_capacity;
+        uint32_t *cell_first;
+        size_t cell_capacity;
     } cells;
 
     clast_counters counters;

@@ -18,6 +18,7 @@
 #include "tests/bench/sample.h"
 
 #include <inttypes.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -362,7 +363,16 @@ static int task(const options *o) {
     return bench_judge(scene, o->rest[0]);
 }
 
+/* Large blocks go back to the system when they are freed, at once and always: without this, glibc
+ * keeps ever larger ones after the first. */
+static void give_memory_back(void) {
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+#endif
+}
+
 int main(int argc, char **argv) {
+    give_memory_back();
     if (argc == 9 && strcmp(argv[1], "--one") == 0) return one(argv + 2);
     if (argc == 2 && strcmp(argv[1], "--list") == 0) return bench_list();
     options o = read_options(argc, argv);
