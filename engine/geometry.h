@@ -109,7 +109,9 @@ static inline wall_touch touch_of_wall(const clast_world *w, const wall *l, vec3
                                        double radius) {
     approach a = wall_approach(l, centre);
     wall_touch t = {l->n, radius - a.distance};
-    if (l->def.kind != CLAST_WALL_PLANE) t.normal = v3_scale(1 / a.distance, a.away);
+    bool behind = l->def.kind != CLAST_WALL_PLANE && v3_dot(a.away, l->n) < 0;
+    if (behind) t.normal = v3_scale(-1, l->n);
+    if (!a.inside) t.normal = v3_scale(1 / a.distance, a.away);
     if (t.overlap > 0 && l->joined_count > 0 && is_hidden(w, l, centre, &a)) t.overlap = 0;
     return t;
 }
