@@ -501,7 +501,8 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     p.list = &s->contacts, p.with_walls = false;
     p.report = mode == CONTACTS_REPORT ? s->report : NULL;
     run(&p);
-    p.list = &s->walls, p.with_walls = true, p.need.equal = false;
+    p.need.equal = !k->clumps; /* a wall does not spin and feels no torque */
+    p.list = &s->walls, p.with_walls = true;
     p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
     run(&p);
     s->contact_tally = p.tally;
