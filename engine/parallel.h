@@ -1,4 +1,4 @@
-/* parallel.h - the one parallel primitive. Only parallel.c knows OpenMP. */
+/* parallel.h - the one parallel primitive. Only parallel.c knows how threads are made. */
 #ifndef CLAST_PARALLEL_H
 #define CLAST_PARALLEL_H
 
