@@ -49,15 +49,64 @@ static inline flat_way way_from_triangle(const double *corner, double s, double 
     return best;
 }
 
-static inline flat_way way_from_patch(const patch *p, double s, double t) {
-    flat_way best = {INFINITY, 0};
-    double least = INFINITY;
-    for (int k = 0; k < p->triangles && least > 0; k++) {
+/* A patch of many triangles has a tree of boxes (low s, low t, high s, high t) behind its corners:
+ * node k has the children 2 k + 1 and 2 k + 2, and leaf i of so many has the triangles
+ * patch_first(i) .. patch_first(i + 1) - 1. */
+static inline int patch_leaves(int triangles) {
+    int leaves = 1;
+    while (4 * leaves < triangles) leaves *= 2;
+    return leaves;
+}
+
+static inline size_t patch_first(const patch *p, int leaf, int leaves) {
+    return (size_t)leaf * (size_t)p->triangles / (size_t)leaves;
+}
+
+static inline double square_from_box(const double *box, double s, double t) {
+    double ds = s < box[0] ? box[0] - s : s > box[2] ? s - box[2] : 0;
+    double dt = t < box[1] ? box[1] - t : t > box[3] ? t - box[3] : 0;
+    return ds * ds + dt * dt;
+}
+
+typedef struct nearest_way {
+    flat_way way;
+    double square;
+} nearest_way;
+
+static inline void try_leaf(const patch *p, int leaf, int leaves, double s, double t,
+                            nearest_way *best) {
+    for (size_t k = patch_first(p, leaf, leaves); k < patch_first(p, leaf + 1, leaves); k++) {
         flat_way way = way_from_triangle(p->corner + 6 * k, s, t);
         double square = way.s * way.s + way.t * way.t;
-        if (square < least) least = square, best = way;
+        if (square < best->square) *best = (nearest_way){way, square};
     }
-    return best;
+}
+
+static inline flat_way way_from_patch(const patch *p, double s, double t) {
+    enum { DEPTH = 32 };
+    nearest_way best = {{INFINITY, 0}, INFINITY};
+    int leaves = patch_leaves(p->triangles), waiting[DEPTH], count = 0;
+    const double *boxes = p->corner + 6 * (size_t)p->triangles;
+    waiting[count++] = 0;
+    while (count > 0) {
+        int node = waiting[--count];
+        if (square_from_box(boxes + 4 * (size_t)node, s, t) >= best.square) continue;
+        if (node >= leaves - 1) {
+            try_leaf(p, node - (leaves - 1), leaves, s, t, &best);
+            continue;
+        }
+        const double *left = boxes + 4 * (size_t)(2 * node + 1);
+        bool nearer = square_from_box(left, s, t) <= square_from_box(left + 4, s, t);
+        waiting[count++] = 2 * node + (nearer ? 2 : 1);
+        waiting[count++] = 2 * node + (nearer ? 1 : 2);
+    }
+    return best.way;
+}
+
+/* Over a face to rounding: no crack where two triangles of a patch meet. */
+static inline bool is_no_way(const wall *l, flat_way way) {
+    double crack = l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle ? 1e-13 * l->bound : 0;
+    return fabs(way.s) <= crack && fabs(way.t) <= crack;
 }
 
 /* Nothing of a mesh lies over the inside of one of its patches. */
@@ -75,27 +124,56 @@ static inline approach wall_approach(const wall *l, vec3 centre) {
     double s = v3_dot(d, l->u), t = v3_dot(d, l->v);
     flat_way way = {s - clamp(s, l->def.half_side[0]), t - clamp(t, l->def.half_side[1])};
     if (l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle) way = way_from_patch(&l->patch, s, t);
-    if (way.s == 0 && way.t == 0)
+    if (is_no_way(l, way))
         return (approach){v3_scale(height, l->n), fabs(height), true, is_off_border(l, s, t)};
     vec3 away =
         v3_add(v3_scale(height, l->n), v3_add(v3_scale(way.s, l->u), v3_scale(way.t, l->v)));
     return (approach){away, v3_norm(away), false, false};
 }
 
+static inline bool are_in_one_plane(const wall *a, const wall *b) {
+    return fabs(v3_dot(a->n, b->n)) > 1 - 1e-9;
+}
+
+static inline bool is_in_box(const wall *l, vec3 p, double more) {
+    return fabs(p.x - l->point.x) <= l->half_box.x + more &&
+           fabs(p.y - l->point.y) <= l->half_box.y + more &&
+           fabs(p.z - l->point.z) <= l->half_box.z + more;
+}
+
+/* Whether `other`, which holds p, comes nearer to the centre than p close by: its nearest point is
+ * not p or, where that is far away since a patch may be bent like a U, one step down the slope and
+ * back onto the surface ends elsewhere. */
+static inline bool leads_down(const wall *other, vec3 p, vec3 centre, const approach *theirs,
+                              double size, double rounding) {
+    double apart = v3_norm(v3_sub(v3_sub(centre, theirs->away), p));
+    if (apart < 1e-3 * size) return apart > rounding;
+    vec3 way = v3_sub(centre, p);
+    vec3 slope = v3_sub(way, v3_scale(v3_dot(way, other->n), other->n));
+    double length = v3_norm(slope), step = 1e-4 * size;
+    vec3 ahead = v3_add(p, v3_scale(length > step ? step / length : 1, slope));
+    vec3 back = v3_sub(ahead, wall_approach(other, ahead).away);
+    return v3_norm(v3_sub(back, p)) > rounding;
+}
+
 /* Where plates or patches share a border or overlap in one plane, one of them is felt: a face
- * before an edge, and among equals in one plane the one that was added first. Two faces in
- * different planes are both felt. */
+ * before an edge before a corner, and among equals the one that was added first. Two faces in
+ * different planes are both felt, and the list has those in one plane first: a face need not look
+ * farther. */
 static inline bool is_hidden(const clast_world *w, const wall *l, vec3 centre, const approach *a) {
     if (a->off_border) return false;
     vec3 nearest = v3_sub(centre, a->away);
     for (int i = 0; i < l->joined_count; i++) {
         const wall *other = &w->walls[l->joined[i]];
-        if (!w->parts[other->part].present) continue;
-        if (wall_approach(other, nearest).distance > 1e-9 * (l->bound + other->bound)) continue;
-        bool face = wall_approach(other, centre).inside;
-        bool one_plane = fabs(v3_dot(l->n, other->n)) > 1 - 1e-9;
-        if (face && a->inside && !one_plane) continue;
-        if (face == a->inside ? other < l : face) return true;
+        bool one_plane = are_in_one_plane(l, other);
+        if (a->inside && !one_plane) return false;
+        double size = l->bound + other->bound, rounding = 1e-9 * size;
+        if (!w->parts[other->part].present || !is_in_box(other, nearest, rounding)) continue;
+        if (wall_approach(other, nearest).distance > rounding) continue;
+        approach theirs = wall_approach(other, centre);
+        bool face = theirs.inside && fabs(theirs.distance - a->distance) <= rounding;
+        if (a->inside ? face && other < l : face || other < l) return true;
+        if (!a->inside && leads_down(other, nearest, centre, &theirs, size, rounding)) return true;
     }
     return false;
 }

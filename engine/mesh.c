@@ -3,24 +3,41 @@
  * face is. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "engine/world.h"
+#include "engine/geometry.h"
 
-/* Two triangles that meet at less than this angle (rad) lie in one plane. Corners in single
- * precision, as STL has them, are off by less. */
-#define ONE_PLANE 1e-5
+/* Triangles whose corners are this close to a plane (of the farthest coordinate) lie in it: twice
+ * what single precision, as STL has it, may be off by. No patch is farther from its triangles.
+ * Rejected: a limit on the angle between neighbours. Slivers have no angle to speak of, and many
+ * small angles add up to a cylinder. */
+#define ONE_PLANE 0x1p-22
+
+/* Belt velocities are along their surface to this. */
+#define ALONG 1e-5
 
 typedef struct edge {
     int32_t low, high; /* vertices */
     int triangle;
 } edge;
 
+typedef struct plane {
+    vec3 normal; /* of all its triangles by their areas */
+    vec3 point;  /* m, their centre */
+    double area; /* m2 */
+    int first;   /* lowest of them */
+    int largest, triangles;
+} plane;
+
 typedef struct mesh {
     const clast_mesh_def *def;
-    vec3 *normal; /* per triangle, unit */
-    int *group;   /* per triangle: another triangle of its patch, or itself */
-    edge *edges;
-    int *patch_of; /* per triangle: its patch */
+    double thickness; /* m, of a plane */
+    vec3 *area;       /* m2, per triangle */
+    edge *edges;      /* sorted by vertices */
+    int *edge_at;     /* per side of a triangle: the first of its edges */
+    int *patch_of;    /* per triangle */
+    int *scratch;     /* per triangle */
+    plane *planes;    /* per patch */
     int patches;
 } mesh;
 
@@ -30,10 +47,27 @@ static const int32_t *corners(const clast_mesh_def *d, int triangle) {
     return d->triangle + 3 * (size_t)triangle;
 }
 
-static vec3 area_of(const clast_mesh_def *d, int triangle) {
+static vec3 side(const clast_mesh_def *d, int triangle, int k) {
     const int32_t *c = corners(d, triangle);
-    vec3 a = d->vertex[c[0]];
-    return v3_scale(0.5, v3_cross(v3_sub(d->vertex[c[1]], a), v3_sub(d->vertex[c[2]], a)));
+    return v3_sub(d->vertex[c[(k + 1) % 3]], d->vertex[c[k]]);
+}
+
+static vec3 area_of(const clast_mesh_def *d, int triangle) {
+    return v3_scale(0.5, v3_cross(side(d, triangle, 0), side(d, triangle, 1)));
+}
+
+static vec3 centre_of(const clast_mesh_def *d, int triangle) {
+    const int32_t *c = corners(d, triangle);
+    return v3_scale(1.0 / 3, v3_add(d->vertex[c[0]], v3_add(d->vertex[c[1]], d->vertex[c[2]])));
+}
+
+static vec3 longest_side(const clast_mesh_def *d, int triangle) {
+    vec3 best = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        vec3 s = side(d, triangle, k);
+        if (v3_dot(s, s) > v3_dot(best, best)) best = s;
+    }
+    return best;
 }
 
 static const char *fault_of_triangle(const clast_mesh_def *d, int triangle) {
@@ -41,9 +75,10 @@ static const char *fault_of_triangle(const clast_mesh_def *d, int triangle) {
     for (int k = 0; k < 3; k++) {
         if (c[k] < 0 || c[k] >= d->vertices) return "names a vertex that does not exist";
         vec3 p = d->vertex[c[k]];
-        if (!isfinite(p.x + p.y + p.z)) return "has a vertex that is not finite";
+        if (!isfinite(v3_dot(p, p))) return "has a vertex that is not finite";
     }
-    if (!(v3_norm(area_of(d, triangle)) > 0)) return "has no area";
+    vec3 longest = longest_side(d, triangle);
+    if (!(v3_norm(area_of(d, triangle)) > 1e-14 * v3_dot(longest, longest))) return "has no area";
     return NULL;
 }
 
@@ -55,6 +90,9 @@ static int check(clast_world *w, int part_index, const clast_mesh_def *d) {
         return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has no such material", name);
     if (d->triangles < 1)
         return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has no triangles", name);
+    if (!isfinite(v3_norm(d->belt_velocity)))
+        return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has a belt velocity that is not finite",
+                          name);
     for (int t = 0; t < d->triangles; t++) {
         const char *fault = fault_of_triangle(d, t);
         if (fault)
@@ -63,7 +101,18 @@ static int check(clast_world *w, int part_index, const clast_mesh_def *d) {
     return CLAST_OK;
 }
 
-/* ---- which triangles lie in one plane -------------------------------------------------------- */
+static int check_belt(clast_world *w, const mesh *m) {
+    vec3 belt = m->def->belt_velocity;
+    for (int p = 0; p < m->patches; p++) {
+        if (fabs(v3_dot(belt, m->planes[p].normal)) <= ALONG * v3_norm(belt)) continue;
+        return world_fail(w, CLAST_ERR_ARGUMENT,
+                          "mesh %s: triangle %d is not along the belt velocity",
+                          m->def->name ? m->def->name : "?", m->planes[p].first);
+    }
+    return CLAST_OK;
+}
+
+/* ---- which triangles share an edge ----------------------------------------------------------- */
 
 static int by_vertices(const void *left, const void *right) {
     const edge *a = left, *b = right;
@@ -71,85 +120,268 @@ static int by_vertices(const void *left, const void *right) {
     return (a->high > b->high) - (a->high < b->high);
 }
 
+static edge edge_of(const clast_mesh_def *d, int triangle, int k) {
+    int32_t a = corners(d, triangle)[k], b = corners(d, triangle)[(k + 1) % 3];
+    return (edge){a < b ? a : b, a < b ? b : a, triangle};
+}
+
 static void collect_edges(mesh *m) {
-    for (int t = 0; t < m->def->triangles; t++)
-        for (int k = 0; k < 3; k++) {
-            int32_t a = corners(m->def, t)[k], b = corners(m->def, t)[(k + 1) % 3];
-            m->edges[3 * t + k] = (edge){a < b ? a : b, a < b ? b : a, t};
-        }
-    qsort(m->edges, 3 * (size_t)m->def->triangles, sizeof *m->edges, by_vertices);
-}
-
-static int root_of(const mesh *m, int triangle) {
-    while (m->group[triangle] != triangle) triangle = m->group[triangle];
-    return triangle;
-}
-
-static bool in_one_plane(const mesh *m, int a, int b) {
-    return v3_norm(v3_cross(m->normal[a], m->normal[b])) < ONE_PLANE;
-}
-
-static void group_triangles(mesh *m) {
     int count = 3 * m->def->triangles;
-    for (int t = 0; t < m->def->triangles; t++) m->group[t] = t;
-    for (int e = 0; e + 1 < count; e++)
-        for (int f = e + 1; f < count && by_vertices(&m->edges[e], &m->edges[f]) == 0; f++) {
-            int a = root_of(m, m->edges[e].triangle), b = root_of(m, m->edges[f].triangle);
-            if (in_one_plane(m, a, b)) m->group[a > b ? a : b] = a > b ? b : a;
+    for (int i = 0; i < count; i++) m->edges[i] = edge_of(m->def, i / 3, i % 3);
+    qsort(m->edges, (size_t)count, sizeof *m->edges, by_vertices);
+    for (int i = 0; i < count; i++) {
+        edge e = edge_of(m->def, i / 3, i % 3);
+        int from = 0, to = count;
+        while (from < to) {
+            int middle = from + (to - from) / 2;
+            if (by_vertices(&m->edges[middle], &e) < 0)
+                from = middle + 1;
+            else
+                to = middle;
         }
-    m->patches = 0;
-    for (int t = 0; t < m->def->triangles; t++) {
-        int root = root_of(m, t);
-        m->patch_of[t] = root == t ? m->patches++ : m->patch_of[root];
+        m->edge_at[i] = from;
     }
+}
+
+/* ---- which of them lie in one plane ---------------------------------------------------------- */
+
+static bool is_in_plane(const mesh *m, int triangle, vec3 point, vec3 normal) {
+    const int32_t *c = corners(m->def, triangle);
+    for (int k = 0; k < 3; k++) {
+        double height = v3_dot(v3_sub(m->def->vertex[c[k]], point), normal);
+        if (fabs(height) > m->thickness) return false;
+    }
+    return true;
+}
+
+static void take(mesh *m, int triangle, int patch_index, int *count) {
+    m->patch_of[triangle] = patch_index;
+    m->scratch[(*count)++] = triangle;
+}
+
+/* Takes every triangle that can be reached from `seed` without leaving the plane; returns how many
+ * there are, by then in the scratch. */
+static int reach_from(mesh *m, int seed, int patch_index, vec3 point, vec3 normal) {
+    const edge *end = m->edges + 3 * (size_t)m->def->triangles;
+    int count = 0;
+    take(m, seed, patch_index, &count);
+    for (int next = 0; next < count; next++)
+        for (int k = 0; k < 3; k++) {
+            const edge *own = &m->edges[m->edge_at[3 * m->scratch[next] + k]];
+            for (const edge *e = own; e < end && by_vertices(e, own) == 0; e++)
+                if (m->patch_of[e->triangle] < 0 && is_in_plane(m, e->triangle, point, normal))
+                    take(m, e->triangle, patch_index, &count);
+        }
+    return count;
+}
+
+/* The plane of one small triangle is uncertain far away: that of all that were found in it is less
+ * so, and may find more. */
+static void grow_patch(mesh *m, int seed, int patch_index) {
+    vec3 normal = v3_scale(1 / v3_norm(m->area[seed]), m->area[seed]);
+    vec3 point = centre_of(m->def, seed);
+    int before = 1, count = reach_from(m, seed, patch_index, point, normal);
+    for (int round = 0; round < 8 && count > before; round++) {
+        vec3 area = {0, 0, 0}, moment = {0, 0, 0};
+        double all = 0;
+        before = count;
+        for (int i = 0; i < count; i++) {
+            int t = m->scratch[i];
+            double own = v3_norm(m->area[t]);
+            area = v3_add(area, v3_scale(v3_dot(m->area[t], normal) < 0 ? -1 : 1, m->area[t]));
+            moment = v3_add(moment, v3_scale(own, v3_sub(centre_of(m->def, t), point)));
+            all += own;
+            m->patch_of[t] = -1;
+        }
+        point = v3_add(point, v3_scale(1 / all, moment));
+        normal = v3_scale(1 / v3_norm(area), area);
+        count = reach_from(m, seed, patch_index, point, normal);
+    }
+}
+
+typedef struct sized {
+    double area;
+    int triangle;
+} sized;
+
+static int by_area(const void *left, const void *right) {
+    const sized *a = left, *b = right;
+    if (a->area != b->area) return a->area > b->area ? -1 : 1;
+    return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+/* Large triangles first: their planes are the best known. */
+static void group_triangles(mesh *m) {
+    size_t n = (size_t)m->def->triangles;
+    sized *order = malloc(n * sizeof *order);
+    CLAST_ASSERT(order);
+    for (size_t t = 0; t < n; t++) {
+        order[t] = (sized){v3_norm(m->area[t]), (int)t};
+        m->patch_of[t] = -1;
+    }
+    qsort(order, n, sizeof *order, by_area);
+    for (size_t i = 0; i < n; i++)
+        if (m->patch_of[order[i].triangle] < 0) grow_patch(m, order[i].triangle, m->patches++);
+    free(order);
+}
+
+/* Patches are counted in the order of their first triangles. */
+static void number_patches(mesh *m) {
+    int *number = m->scratch, next = 0;
+    for (int p = 0; p < m->patches; p++) number[p] = -1;
+    for (int t = 0; t < m->def->triangles; t++) {
+        int *of_patch = &number[m->patch_of[t]];
+        if (*of_patch < 0) {
+            m->planes[next].first = m->planes[next].largest = t;
+            *of_patch = next++;
+        }
+        m->patch_of[t] = *of_patch;
+        plane *p = &m->planes[*of_patch];
+        if (v3_norm(m->area[t]) > v3_norm(m->area[p->largest])) p->largest = t;
+    }
+}
+
+/* By the areas of the triangles, whichever way round they are. */
+static void fit_planes(mesh *m) {
+    for (int t = 0; t < m->def->triangles; t++) {
+        plane *p = &m->planes[m->patch_of[t]];
+        double turned = v3_dot(m->area[t], m->area[p->largest]) < 0 ? -1 : 1;
+        p->normal = v3_add(p->normal, v3_scale(turned, m->area[t]));
+        p->triangles++;
+    }
+    for (int p = 0; p < m->patches; p++)
+        m->planes[p].normal = v3_scale(1 / v3_norm(m->planes[p].normal), m->planes[p].normal);
+    for (int t = 0; t < m->def->triangles; t++) {
+        plane *p = &m->planes[m->patch_of[t]];
+        vec3 from_first = v3_sub(centre_of(m->def, t), centre_of(m->def, p->first));
+        p->area += v3_norm(m->area[t]);
+        p->point = v3_add(p->point, v3_scale(v3_norm(m->area[t]), from_first));
+    }
+    for (int p = 0; p < m->patches; p++) {
+        plane *l = &m->planes[p];
+        l->point = v3_add(centre_of(m->def, l->first), v3_scale(1 / l->area, l->point));
+    }
+}
+
+/* ---- triangles of a patch into a tree of boxes (geometry.h) ---------------------------------- */
+
+enum { TRIANGLE = 6, BOX = 4 }; /* numbers of each */
+
+static double middle_of(const double *triangle, int axis) {
+    return triangle[axis] + triangle[2 + axis] + triangle[4 + axis];
+}
+
+static int by_middle(const double *a, const double *b, int axis) {
+    double x = middle_of(a, axis), y = middle_of(b, axis);
+    if (x != y) return x < y ? -1 : 1;
+    for (int k = 0; k < TRIANGLE; k++)
+        if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
+    return 0;
+}
+
+static int by_middle_along(const void *a, const void *b) {
+    return by_middle(a, b, 0);
+}
+
+static int by_middle_across(const void *a, const void *b) {
+    return by_middle(a, b, 1);
+}
+
+static void box_around(double *box, const double *triangle, size_t count) {
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    for (size_t k = 0; k < 3 * count; k++)
+        for (int axis = 0; axis < 2; axis++) {
+            double x = triangle[2 * k + (size_t)axis];
+            box[axis] = fmin(box[axis], x), box[2 + axis] = fmax(box[2 + axis], x);
+        }
+}
+
+/* Sorts the triangles under `node`, which has so many leaves from `leaf` on. */
+static void make_tree(patch *p, int node, int leaf, int leaves) {
+    int all = patch_leaves(p->triangles);
+    size_t from = patch_first(p, leaf, all), to = patch_first(p, leaf + leaves, all);
+    double *box = p->corner + TRIANGLE * (size_t)p->triangles + BOX * (size_t)node;
+    box_around(box, p->corner + TRIANGLE * from, to - from);
+    if (leaves == 1) return;
+    bool wide = box[2] - box[0] > box[3] - box[1];
+    qsort(p->corner + TRIANGLE * from, to - from, TRIANGLE * sizeof(double),
+          wide ? by_middle_along : by_middle_across);
+    make_tree(p, 2 * node + 1, leaf, leaves / 2);
+    make_tree(p, 2 * node + 2, leaf + leaves / 2, leaves / 2);
 }
 
 /* ---- patches into walls ---------------------------------------------------------------------- */
 
-/* How a patch lies along one of the edges of its first triangle. */
+/* How a patch lies along one of its rims. */
 typedef struct layout {
     vec3 u, v;
-    double low[2], high[2]; /* m, along u and v, from the first corner */
-    double area;            /* m2, of the triangles */
+    double low[2], high[2]; /* m, along u and v, from the wall's point */
 } layout;
 
-static vec3 edge_of(const clast_mesh_def *d, int triangle, int k) {
-    const int32_t *c = corners(d, triangle);
-    return v3_sub(d->vertex[c[(k + 1) % 3]], d->vertex[c[k]]);
+/* > 0 where a triangle lies to the left of one of its edges, seen against n. */
+static double beyond(const mesh *m, int triangle, const edge *e, vec3 n) {
+    const int32_t *c = corners(m->def, triangle);
+    vec3 low = m->def->vertex[e->low], along = v3_sub(m->def->vertex[e->high], low);
+    double most = 0;
+    for (int k = 0; k < 3; k++) {
+        double x = v3_dot(v3_cross(along, v3_sub(m->def->vertex[c[k]], low)), n);
+        if (fabs(x) > fabs(most)) most = x;
+    }
+    return most;
 }
 
-static void stretch(layout *f, vec3 d) {
-    double at[2] = {v3_dot(d, f->u), v3_dot(d, f->v)};
-    for (int k = 0; k < 2; k++) {
-        f->low[k] = fmin(f->low[k], at[k]);
-        f->high[k] = fmax(f->high[k], at[k]);
+typedef enum seam { RIM, SEAM, FOLD } seam;
+
+/* What lies on the other side of the k-th side of a triangle: nothing of its patch, one triangle,
+ * or more than can lie in a plane side by side. */
+static seam seam_of(const mesh *m, int triangle, int k, vec3 n) {
+    const edge *own = &m->edges[m->edge_at[3 * triangle + k]];
+    const edge *end = m->edges + 3 * (size_t)m->def->triangles;
+    int others = 0;
+    bool fold = false;
+    for (const edge *e = own; e < end && by_vertices(e, own) == 0; e++) {
+        if (e->triangle == triangle || m->patch_of[e->triangle] != m->patch_of[triangle]) continue;
+        fold |= beyond(m, triangle, own, n) * beyond(m, e->triangle, own, n) >= 0;
+        others++;
     }
+    return others == 0 ? RIM : others == 1 && !fold ? SEAM : FOLD;
 }
 
-static layout layout_along(const mesh *m, int first, const int *next, vec3 along) {
-    layout f = {.u = v3_scale(1 / v3_norm(along), along)};
-    f.v = v3_cross(m->normal[first], f.u);
-    vec3 origin = m->def->vertex[corners(m->def, first)[0]];
-    for (int t = first; t >= 0; t = next[t]) {
-        f.area += v3_norm(area_of(m->def, t));
-        for (int k = 0; k < 3; k++)
-            stretch(&f, v3_sub(m->def->vertex[corners(m->def, t)[k]], origin));
-    }
+/* The longest rim of a patch that lies flat; nothing where triangles lie on each other. */
+static vec3 longest_rim(const mesh *m, const plane *p, const int *next) {
+    vec3 best = {0, 0, 0};
+    for (int t = p->first; t >= 0; t = next[t])
+        for (int k = 0; k < 3; k++) {
+            seam kind = seam_of(m, t, k, p->normal);
+            if (kind == FOLD) return v3(0, 0, 0);
+            vec3 s = side(m->def, t, k);
+            if (kind == RIM && v3_dot(s, s) > v3_dot(best, best)) best = s;
+        }
+    return best;
+}
+
+static layout layout_along(const mesh *m, const plane *p, const int *next, vec3 along) {
+    layout f = {.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
+    along = v3_sub(along, v3_scale(v3_dot(along, p->normal), p->normal));
+    f.u = v3_scale(1 / v3_norm(along), along);
+    f.v = v3_cross(p->normal, f.u);
+    for (int t = p->first; t >= 0; t = next[t])
+        for (int k = 0; k < 3; k++) {
+            vec3 d = v3_sub(m->def->vertex[corners(m->def, t)[k]], p->point);
+            double at[2] = {v3_dot(d, f.u), v3_dot(d, f.v)};
+            for (int i = 0; i < 2; i++)
+                f.low[i] = fmin(f.low[i], at[i]), f.high[i] = fmax(f.high[i], at[i]);
+        }
     return f;
 }
 
-static bool fills_its_box(const layout *f) {
-    double box = (f->high[0] - f->low[0]) * (f->high[1] - f->low[1]);
-    return fabs(box - f->area) <= 1e-6 * box;
-}
-
 /* Sides and point of the wall: those of the rectangle that the patch fills, if it does. */
-static void set_frame(wall *l, const mesh *m, int first, const int *next) {
-    layout f = {.area = 0};
-    for (int k = 0; k < 3 && !l->is_rectangle; k++) {
-        f = layout_along(m, first, next, edge_of(m->def, first, k));
-        l->is_rectangle = fills_its_box(&f);
-    }
+static void set_frame(wall *l, const mesh *m, const plane *p, const int *next) {
+    vec3 rim = longest_rim(m, p, next);
+    bool flat = v3_dot(rim, rim) > 0;
+    layout f = layout_along(m, p, next, flat ? rim : longest_side(m->def, p->largest));
+    double box = (f.high[0] - f.low[0]) * (f.high[1] - f.low[1]);
+    l->is_rectangle = flat && fabs(box - p->area) <= 1e-6 * box;
     l->u = f.u, l->v = f.v;
     if (l->is_rectangle) {
         vec3 middle = v3_add(v3_scale(0.5 * (f.low[0] + f.high[0]), f.u),
@@ -171,81 +403,161 @@ static void add_corner(wall *l, double *to, vec3 p) {
 
 static void add_triangle(wall *l, const mesh *m, int triangle) {
     const int32_t *c = corners(m->def, triangle);
-    bool turned = v3_dot(m->normal[triangle], l->n) < 0; /* corners go counter-clockwise */
-    double *to = l->patch.corner + 6 * (size_t)l->patch.triangles++;
-    for (int k = 0; k < 3; k++)
-        add_corner(l, to + 2 * (size_t)(turned ? 2 - k : k), m->def->vertex[c[k]]);
+    double *to = l->patch.corner + TRIANGLE * (size_t)l->patch.triangles++;
+    for (int k = 0; k < 3; k++) add_corner(l, to + 2 * (size_t)k, m->def->vertex[c[k]]);
+    if (left_of(to, to + 2, to[4], to[5])) return; /* corners go counter-clockwise */
+    double s = to[0], t = to[1];
+    to[0] = to[4], to[1] = to[5], to[4] = s, to[5] = t;
 }
 
-static void add_patch(clast_world *w, int part_index, const mesh *m, int first, const int *next) {
+static void add_patch(clast_world *w, int part_index, const mesh *m, int index, const int *next) {
     char name[256];
-    int index = m->patch_of[first];
+    const plane *p = &m->planes[index];
     snprintf(name, sizeof name, "%s/%d", m->def->name ? m->def->name : "?", index);
     clast_wall_def def = {.name = name,
                           .kind = CLAST_WALL_PATCH,
                           .material = m->def->material,
-                          .point = m->def->vertex[corners(m->def, first)[0]],
-                          .normal = m->normal[first],
+                          .point = p->point,
+                          .normal = p->normal,
                           .belt_velocity = m->def->belt_velocity};
     wall *l = wall_new(w, part_index, &def);
-    set_frame(l, m, first, next);
-    size_t size = 0;
-    for (int t = first; t >= 0; t = next[t]) size++;
-    l->patch.corner = memory_grow(w, NULL, 0, 6 * size, sizeof *l->patch.corner);
-    for (int t = first; t >= 0; t = next[t]) add_triangle(l, m, t);
+    set_frame(l, m, p, next);
+    size_t boxes = 2 * (size_t)patch_leaves(p->triangles) - 1;
+    size_t numbers = TRIANGLE * (size_t)p->triangles + BOX * boxes;
+    l->patch.corner = memory_grow(w, NULL, 0, numbers, sizeof *l->patch.corner);
+    for (int t = p->first; t >= 0; t = next[t]) add_triangle(l, m, t);
+    make_tree(&l->patch, 0, 0, patch_leaves(p->triangles));
 }
 
 /* Triangles of each patch as chains in rising order. */
 static void add_patches(clast_world *w, int part_index, const mesh *m) {
-    int *next = malloc((size_t)m->def->triangles * sizeof *next);
+    int *next = m->scratch;
     int *head = malloc((size_t)m->patches * sizeof *head);
-    CLAST_ASSERT(next && head);
+    CLAST_ASSERT(head);
     for (int p = 0; p < m->patches; p++) head[p] = -1;
     for (int t = m->def->triangles - 1; t >= 0; t--)
         next[t] = head[m->patch_of[t]], head[m->patch_of[t]] = t;
-    for (int p = 0; p < m->patches; p++) add_patch(w, part_index, m, head[p], next);
-    free(next), free(head);
+    for (int p = 0; p < m->patches; p++) add_patch(w, part_index, m, p, next);
+    free(head);
 }
 
-/* Patches that share a vertex. */
-static void join_patches(clast_world *w, const mesh *m, int first_wall) {
-    int *last = malloc((size_t)m->def->vertices * sizeof *last); /* chains through corners */
-    int *before = malloc(3 * (size_t)m->def->triangles * sizeof *before);
-    CLAST_ASSERT(last && before);
-    for (int v = 0; v < m->def->vertices; v++) last[v] = -1;
-    for (int c = 0; c < 3 * m->def->triangles; c++) {
-        int vertex = m->def->triangle[c], own = m->patch_of[c / 3];
-        for (int other = last[vertex]; other >= 0; other = before[other]) {
-            int theirs = m->patch_of[other / 3];
-            if (theirs == own) continue;
-            wall_join(w, first_wall + own, first_wall + theirs);
-            wall_join(w, first_wall + theirs, first_wall + own);
-        }
-        before[c] = last[vertex];
-        last[vertex] = c;
+/* ---- which patches share a vertex ------------------------------------------------------------ */
+
+typedef struct meeting {
+    int32_t own, other; /* vertex and patch at first, then two patches */
+} meeting;
+
+static int by_own(const void *left, const void *right) {
+    const meeting *a = left, *b = right;
+    if (a->own != b->own) return a->own < b->own ? -1 : 1;
+    return (a->other > b->other) - (a->other < b->other);
+}
+
+/* Sorts, and keeps one of those that are alike. */
+static size_t sorted_once(meeting *m, size_t count) {
+    qsort(m, count, sizeof *m, by_own);
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++)
+        if (i == 0 || by_own(&m[i], &m[kept - 1]) != 0) m[kept++] = m[i];
+    return kept;
+}
+
+/* Past the last that has the same own as m[from]. */
+static size_t end_of_own(const meeting *m, size_t from, size_t count) {
+    size_t to = from;
+    while (to < count && m[to].own == m[from].own) to++;
+    return to;
+}
+
+/* Every patch of a vertex with every other; the number squared of those at the tip of a cone. */
+static meeting *meet_patches(const meeting *at, size_t count, size_t *meetings) {
+    size_t room = 0, n = 0;
+    for (size_t from = 0, to; from < count; from = to) {
+        to = end_of_own(at, from, count);
+        room += (to - from) * (to - from - 1);
     }
-    free(last), free(before);
+    meeting *found = malloc((room + 1) * sizeof *found);
+    CLAST_ASSERT(found);
+    for (size_t from = 0, to; from < count; from = to) {
+        to = end_of_own(at, from, count);
+        for (size_t i = from; i < to; i++)
+            for (size_t j = from; j < to; j++)
+                if (i != j) found[n++] = (meeting){at[i].other, at[j].other};
+    }
+    *meetings = sorted_once(found, n);
+    return found;
+}
+
+/* Those in one plane with it come first: is_hidden() counts on it. */
+static void join_patch(clast_world *w, int own, int first_wall, const meeting *m, size_t count) {
+    wall *l = &w->walls[own];
+    l->joined = memory_grow(w, NULL, 0, count, sizeof *l->joined);
+    l->joined_count = l->joined_room = (int)count;
+    int place = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t i = 0; i < count; i++) {
+            int other = first_wall + m[i].other;
+            if (are_in_one_plane(l, &w->walls[other]) == (pass == 0)) l->joined[place++] = other;
+        }
+}
+
+static void join_patches(clast_world *w, const mesh *m, int first_wall) {
+    size_t count = 3 * (size_t)m->def->triangles, meetings;
+    meeting *at = malloc(count * sizeof *at);
+    CLAST_ASSERT(at);
+    for (size_t c = 0; c < count; c++) at[c] = (meeting){m->def->triangle[c], m->patch_of[c / 3]};
+    count = sorted_once(at, count);
+    meeting *found = meet_patches(at, count, &meetings);
+    for (size_t from = 0, to; from < meetings; from = to) {
+        to = end_of_own(found, from, meetings);
+        join_patch(w, first_wall + found[from].own, first_wall, found + from, to - from);
+    }
+    free(at), free(found);
+}
+
+/* ---- the whole ------------------------------------------------------------------------------- */
+
+static double farthest(const clast_mesh_def *d) {
+    double most = 0;
+    for (int c = 0; c < 3 * d->triangles; c++) {
+        vec3 p = d->vertex[d->triangle[c]];
+        most = fmax(most, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    }
+    return most;
+}
+
+static void mesh_make(mesh *m, const clast_mesh_def *d) {
+    size_t n = (size_t)d->triangles;
+    *m = (mesh){.def = d, .thickness = ONE_PLANE * farthest(d)};
+    m->area = malloc(n * sizeof *m->area);
+    m->edges = malloc(3 * n * sizeof *m->edges);
+    m->edge_at = malloc(3 * n * sizeof *m->edge_at);
+    m->patch_of = malloc(n * sizeof *m->patch_of);
+    m->scratch = malloc(n * sizeof *m->scratch);
+    m->planes = calloc(n, sizeof *m->planes);
+    CLAST_ASSERT(m->area && m->edges && m->edge_at && m->patch_of && m->scratch && m->planes);
+    for (int t = 0; t < d->triangles; t++) m->area[t] = area_of(d, t);
+    collect_edges(m);
+    group_triangles(m);
+    number_patches(m);
+    fit_planes(m);
+}
+
+static void mesh_free(mesh *m) {
+    free(m->area), free(m->edges), free(m->edge_at);
+    free(m->patch_of), free(m->scratch), free(m->planes);
 }
 
 int clast_mesh_add(clast_world *w, int part_index, const clast_mesh_def *def) {
     CLAST_ASSERT(w && def && def->vertex && def->triangle && !w->prepared);
     if (check(w, part_index, def)) return -1;
-    size_t n = (size_t)def->triangles;
-    mesh m = {.def = def,
-              .normal = malloc(n * sizeof(vec3)),
-              .group = malloc(n * sizeof(int)),
-              .edges = malloc(3 * n * sizeof(edge)),
-              .patch_of = malloc(n * sizeof(int))};
-    CLAST_ASSERT(m.normal && m.group && m.edges && m.patch_of);
-    for (int t = 0; t < def->triangles; t++) {
-        vec3 area = area_of(def, t);
-        m.normal[t] = v3_scale(1 / v3_norm(area), area);
+    mesh m;
+    mesh_make(&m, def);
+    int first_wall = w->wall_count, patches = check_belt(w, &m) ? -1 : m.patches;
+    if (patches > 0) {
+        add_patches(w, part_index, &m);
+        join_patches(w, &m, first_wall);
     }
-    collect_edges(&m);
-    group_triangles(&m);
-    int first_wall = w->wall_count;
-    add_patches(w, part_index, &m);
-    join_patches(w, &m, first_wall);
-    free(m.normal), free(m.group), free(m.edges), free(m.patch_of);
-    return m.patches;
+    mesh_free(&m);
+    return patches;
 }
