@@ -11,10 +11,10 @@ set logscale x
 set xrange [700:1.5e6]
 set format x '10^{%T}'
 set multiplot
-set tmargin at screen 0.97; set bmargin at screen 0.56
+set tmargin at screen 0.925; set bmargin at screen 0.55
 set ylabel 'ns per sphere and step'
 set yrange [0:*]
-set key at graph 0.985, 0.42 right
+set key horizontal at screen 0.56, 0.995 center top samplen 1.5
 array level[3] = ['l1d', 'l2', 'l3']; array said[3] = ['L1', 'L2', 'L3']
 do for [i=1:3] {
     at = cache(level[i]) / each
@@ -25,13 +25,13 @@ do for [i=1:3] {
 }
 plot row(1) using 2:4 with linespoints pt 7 ps 0.8 lw 1.2 lc rgb ours title 'one thread', \
      row(2) using 2:4 with linespoints pt 6 ps 0.8 lw 1.2 dt (6,3) lc rgb ours title 'two threads', \
-     row(1) using 2:5 with linespoints pt 9 ps 0.7 lw 1 lc rgb '#E69F00' title 'of it neighbours, one thread'
+     row(1) using 2:5 with linespoints pt 9 ps 0.7 lw 1 lc rgb '#E69F00' title 'of it lists, one thread'
 set label 999 ''
 do for [i=1:3] { unset arrow i; unset label i }
 set tmargin at screen 0.47; set bmargin at screen 0.12
 set logscale y; set yrange [*:*]; set format y '10^{%T}'
 set ylabel 'seconds'; set xlabel 'spheres'
-set key top left
+set key vertical at graph 0.02, 0.98 left top
 plot row(1) using 2:6 with linespoints pt 7 ps 0.7 lw 1 lc rgb ours title 'load', \
      row(1) using 2:7 with linespoints pt 9 ps 0.7 lw 1 lc rgb thesis title 'first step', \
      row(1) using 2:8 with linespoints pt 5 ps 0.7 lw 1 lc rgb frictional title 'write a frame'

@@ -150,7 +150,7 @@ static clast_world *grate_world(const bench_scene *scene, const bench_wish *wish
                                 bench_stage stage) {
     grate g = grate_new();
     clast_world_def d = bench_def(scene, wish);
-    d.domain_min = (clast_vec3){-0.2, -0.1, -0.4};
+    d.domain_min = (clast_vec3){-0.25, -0.1, -0.4};
     d.domain_max = (clast_vec3){1.1, 0.1, 0.4};
     d.max_overlap = 0.3; /* E of swelling clay, S12 table 4.3 */
     d.global_damping = bench_damping(stage);
