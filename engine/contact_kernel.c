@@ -243,7 +243,8 @@ static void pad(pass *p, int count, int padded) {
     for (int i = count; i < padded; i++) {
         b->d[0][i] = 1e30, b->d[1][i] = b->d[2][i] = 0;
         b->overlap[i] = -1, b->depth[i] = 0;
-        for (int k = 0; k < 3; k++) b->v[k][i] = b->wa[k][i] = b->wb[k][i] = 0;
+        for (int k = 0; k < 3; k++)
+            b->v[k][i] = b->wa[k][i] = b->wb[k][i] = b->oa[k][i] = b->ob[k][i] = 0;
         b->n[0][i] = 1, b->n[1][i] = b->n[2][i] = 0;
         b->la[i] = b->lb[i] = 0;
         b->ma[i] = b->mb[i] = 1;

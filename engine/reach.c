@@ -207,6 +207,7 @@ static void keep_touching_walls(clast_world *w, share *s) {
 
 static void build_walls(clast_world *w, share *s) {
     s->wall_reach.count = 0;
+    if (w->bodies.count == 0) return; /* and no cells */
     for (int l = 0; l < w->wall_count; l++) {
         vec3 low, high;
         if (!w->parts[w->walls[l].part].present) continue;
