@@ -99,34 +99,29 @@ void special_choose(clast_world *w) {
 /* ---- quanta of the loads ----------------------------------------------------------------------
  */
 
-/* At one overlap, and at twice the fastest speed that the guards let pass. */
-static double largest_force(const clast_world *w, const pair_coef *c, double radius, double mass,
+static double elastic_force(const clast_world *w, const pair_coef *c, double radius,
                             double overlap) {
-    double v = 2 * w->def.max_displacement * w->smallest_radius / w->dt;
-    bool linear = w->def.law == CLAST_LAW_LINEAR;
-    double a = linear ? 1 : sqrt(radius * overlap);
-    double elastic = (linear ? 1 : 2.0 / 3.0) * c->k_normal * a * overlap;
-    return 8 * elastic + c->c_normal * sqrt(a * mass) * v + c->cohesion;
+    if (w->def.law == CLAST_LAW_LINEAR) return c->k_normal * overlap;
+    return 2.0 / 3.0 * c->k_normal * sqrt(radius * overlap) * overlap;
 }
 
-/* Eight times the elastic force at twice the overlap at which the guard stops the run, and
- * dashpots. What is larger is caught as a failure. Sums of four such forces fit; at rest, a sphere
- * of steel or glass has its weight resolved to better than 1e-11. */
+/* Eight times the elastic force at twice the overlap at which the guard stops the run. What is
+ * larger is caught as a failure. Sums of four such forces fit; at rest, a sphere of steel or glass
+ * has its weight resolved to better than 1e-11. */
 void special_choose_scale(clast_world *w) {
-    double radius = 0, mass = 0, weight = 0, largest = 0;
+    double radius = 0, weight = 0, largest = 0;
     for (int i = 0; i < w->shape_count; i++) {
         const shape *s = &w->shapes[i];
         for (int e = 0; e < s->spheres; e++) radius = fmax(radius, s->radius[e]);
-        mass = fmax(mass, s->mass);
         weight = fmax(weight, s->mass * v3_norm(w->def.gravity));
     }
     bool stops = w->def.guards == CLAST_GUARD_STOP && w->def.max_overlap < 1;
     double overlap = (stops ? 2 * w->def.max_overlap : 2) * radius;
     for (int i = 0; i < w->material_count * w->material_count; i++) {
         const pair_coef *c = &w->coefs[i];
-        if (c->set) largest = fmax(largest, largest_force(w, c, radius, mass, overlap));
+        if (c->set) largest = fmax(largest, elastic_force(w, c, radius, overlap) + c->cohesion);
     }
-    double force = number_power_of_two_above(fmax(largest, 1e-100) + 100 * weight);
+    double force = number_power_of_two_above(fmax(8 * largest, 1e-100) + 100 * weight);
     double arm = number_power_of_two_above(w->largest_bound);
     w->load_scale = (load_scale){.force = 0x1p61 / force,
                                  .torque = 0x1p61 / (force * arm),

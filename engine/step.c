@@ -101,11 +101,10 @@ static clast_status prepare_checked(clast_world *w) {
     choose_threads(w);
     special_choose(w);
     special_choose_kernels(w);
+    special_choose_scale(w);
     if ((uint64_t)w->next_id * w->name_stride >= UINT32_MAX)
         return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "more spheres than can be named");
-    clast_status chosen = timestep_choose(w);
-    if (!chosen) special_choose_scale(w);
-    return chosen;
+    return timestep_choose(w);
 }
 
 clast_status clast_world_prepare(clast_world *w) {
