@@ -2,8 +2,8 @@
  * between stays in the first-level cache: rows into columns, geometry and law in vector lanes,
  * forces into loads. Compiled once per instruction set and precision (CLAST_KERNEL names the copy);
  * the bits are the same for all instruction sets. */
-#include "engine/contact_law.h"
 #include "engine/geometry.h"
+#include "engine/wall_lanes.h"
 
 #ifndef CLAST_KERNEL
 #error "compile with -DCLAST_KERNEL=contact_kernel_<isa>"
@@ -24,6 +24,7 @@ typedef struct pass {
     law_choice choice;
     contact_tally tally;
     batch b;
+    wall_batch l;
     _Alignas(64) int64_t force[4][LANES], ta[4][LANES], tb[4][LANES]; /* quanta; [3] stays 0 */
 } pass;
 
@@ -206,35 +207,79 @@ LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
     if (!p->w->special.one_kind) load_kinds(p, a, b, count);
 }
 
-static void load_wall_contact(pass *p, int i, size_t sphere, const wall *l) {
-    const clast_world *w = p->w;
-    const row_store *r = &w->rows;
-    const centre_row *ca = &r->centre[sphere];
-    size_t slot = body_of_sphere(w, sphere);
-    const motion_row *m = &r->motion[slot];
+/* A batch of walls: rows of spheres less those of walls. */
+LANE_INLINE void load_wall_contact(pass *p, int i, size_t sphere, size_t wall_index,
+                                   law_need need) {
+    const row_store *r = &p->w->rows;
+    const wall_row *l = &p->w->wall_rows[wall_index];
+    const motion_row *m = &r->motion[body_of_sphere(p->w, sphere)];
+    const centre_row *c = &r->centre[sphere];
+    const double centre[3] = {c->x, c->y, c->z};
     batch *b = &p->b;
-    wall_touch t = touch_of_wall(w, l, from_kernel(w, v3(ca->x, ca->y, ca->z)), ca->radius);
-    vec3 n = to_kernel(w, t.normal), v = to_kernel(w, l->surface_velocity);
-    b->n[0][i] = n.x, b->n[1][i] = n.y, b->n[2][i] = n.z;
-    b->overlap[i] = t.overlap;
-    b->depth[i] = (real)(t.overlap > 0 ? t.overlap : 0);
-    b->la[i] = ca->radius - 0.5 * t.overlap, b->lb[i] = 0;
-    b->v[0][i] = (real)(m->v[0] - v.x), b->v[1][i] = (real)(m->v[1] - v.y);
-    b->v[2][i] = (real)(m->v[2] - v.z);
-    for (int k = 0; k < 3; k++) b->wa[k][i] = (real)m->w[k];
-    if (!w->special.one_wall) {
-        b->radius[i] = (real)ca->radius, b->mass[i] = (real)m->mass;
-        b->per_small[i] = 1 / ca->radius;
-        fill_coefficients(b, i, &w->coefs[m->material * w->material_count + l->def.material]);
+    b->ra[i] = c->radius;
+    for (int k = 0; k < 3; k++) {
+        b->d[k][i] = centre[k] - l->point[k];
+        b->v[k][i] = (real)(m->v[k] - l->motion[k]);
+        b->wa[k][i] = (real)m->w[k];
+        p->l.motion[k][i] = l->motion[k];
+        p->l.n[k][i] = l->n[k], p->l.u[k][i] = l->u[k], p->l.v[k][i] = l->v[k];
+        if (need.clumps) b->oa[k][i] = (real)r->arm[sphere].arm[k];
     }
-    if (!w->special.clumps) return;
-    for (int k = 0; k < 3; k++) b->oa[k][i] = (real)r->arm[sphere].arm[k];
+    p->l.n[3][i] = l->half_u, p->l.u[3][i] = l->half_v, p->l.v[3][i] = l->rim;
 }
 
-static void load_walls(pass *p, size_t begin, int count) {
-    for (int i = 0; i < count; i++)
-        load_wall_contact(p, i, (size_t)p->list->a[begin + (size_t)i],
-                          &p->w->walls[p->list->b[begin + (size_t)i]]);
+#ifdef LANE_ROWS
+LANE_INLINE void put_row(double (*to)[LANES], int i, const rows4 *r) {
+    rows4 c[4];
+    TRANSPOSE4(rows4, r, c);
+    for (int k = 0; k < 4; k++) *(rows4 *)&to[k][i] = c[k];
+}
+
+LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
+                                 law_need need) {
+    const row_store *r = &p->w->rows;
+    rows4 d[4], dt[4], v[4], wa[4], oa[4], row[5][4];
+    for (int k = 0; k < 4; k++) {
+        const wall_row *l = &p->w->wall_rows[walls[k]];
+        const motion_row *m = &r->motion[body_of_sphere(p->w, (size_t)spheres[k])];
+        for (int j = 0; j < 5; j++) row[j][k] = row_at(l->point + 4 * j);
+        d[k] = row_at(&r->centre[spheres[k]].x) - row[0][k];
+        v[k] = row_at(m->v) - row[1][k];
+        wa[k] = row_at(m->w);
+        if (need.clumps) oa[k] = row_at(r->arm[spheres[k]].arm);
+    }
+    TRANSPOSE4(rows4, d, dt);
+    for (int k = 0; k < 3; k++) *(rows4 *)&p->b.d[k][i] = dt[k];
+    *(rows4 *)&p->b.ra[i] = dt[3];
+    put_vector(p->b.v, i, v, need);
+    put_spin(p->b.wa, i, wa, need);
+    if (need.clumps) put_vector(p->b.oa, i, oa, need);
+    put_row(p->l.motion, i, row[1]);
+    put_row(p->l.n, i, row[2]), put_row(p->l.u, i, row[3]), put_row(p->l.v, i, row[4]);
+}
+#endif
+
+/* Where spheres or walls are not all alike. */
+static void load_wall_kinds(pass *p, const int32_t *spheres, const int32_t *walls, int count) {
+    const clast_world *w = p->w;
+    batch *b = &p->b;
+    for (int i = 0; i < count; i++) {
+        const motion_row *m = &w->rows.motion[body_of_sphere(w, (size_t)spheres[i])];
+        b->radius[i] = (real)b->ra[i], b->mass[i] = (real)m->mass;
+        b->per_small[i] = 1 / b->ra[i];
+        int other = w->walls[walls[i]].def.material;
+        fill_coefficients(b, i, &w->coefs[m->material * w->material_count + other]);
+    }
+}
+
+LANE_INLINE void load_walls(pass *p, size_t begin, int count, law_need need) {
+    const int32_t *spheres = p->list->a + begin, *walls = p->list->b + begin;
+    int i = 0;
+#ifdef LANE_ROWS
+    for (; i + 4 <= count; i += 4) load_four_walls(p, i, spheres + i, walls + i, need);
+#endif
+    for (; i < count; i++) load_wall_contact(p, i, (size_t)spheres[i], (size_t)walls[i], need);
+    if (!p->w->special.one_wall) load_wall_kinds(p, spheres, walls, count);
 }
 
 /* Lanes behind the last contact: far apart and at rest. */
@@ -248,6 +293,9 @@ static void pad(pass *p, int count, int padded) {
         b->n[0][i] = 1, b->n[1][i] = b->n[2][i] = 0;
         b->la[i] = b->lb[i] = 0;
         b->ma[i] = b->mb[i] = 1;
+        if (!p->with_walls) continue;
+        for (int k = 0; k < 4; k++) p->l.n[k][i] = p->l.u[k][i] = p->l.v[k][i] = 0;
+        b->ra[i] = p->l.n[0][i] = 1;
     }
 }
 
@@ -258,18 +306,42 @@ static history_lanes history_at(const contact_list *l, size_t begin) {
     return (history_lanes){c[0] + begin, c[1] + begin, c[2] + begin, c[3] + begin, c[4] + begin};
 }
 
+/* What the lanes could not tell. */
+static void look_at_walls(pass *p, size_t begin, int count) {
+    const clast_world *w = p->w;
+    batch *b = &p->b;
+    for (int i = 0; i < count; i++) {
+        if (p->l.look[i] == 0) continue;
+        const centre_row *c = &w->rows.centre[p->list->a[begin + (size_t)i]];
+        const wall *l = &w->walls[p->list->b[begin + (size_t)i]];
+        wall_touch t = touch_of_wall(w, l, from_kernel(w, v3(c->x, c->y, c->z)), c->radius);
+        vec3 n = to_kernel(w, t.normal);
+        b->n[0][i] = n.x, b->n[1][i] = n.y, b->n[2][i] = n.z;
+        b->overlap[i] = t.overlap;
+    }
+}
+
+LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
+#pragma omp simd
+    for (int i = 0; i < padded; i++) wall_lane(&p->b, &p->l, i);
+    look_at_walls(p, begin, count);
+#pragma omp simd
+    for (int i = 0; i < padded; i++) wall_overlap_lane(&p->b, i);
+}
+
+LANE_INLINE void touch_spheres(pass *p, int padded, law_need need) {
+    batch *b = &p->b;
+#pragma omp simd
+    for (int i = 0; i < padded; i++) touch_lane(b, i, need);
+    if (p->w->special.one_kind) return;
+#pragma omp simd
+    for (int i = 0; i < padded; i++) effective_lane(b, i);
+}
+
 LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
     batch *b = &p->b;
     law_choice choice = p->choice;
     history_lanes h = history_at(p->list, begin);
-    if (!p->with_walls) {
-#pragma omp simd
-        for (int i = 0; i < padded; i++) touch_lane(b, i, need);
-        if (!p->w->special.one_kind) {
-#pragma omp simd
-            for (int i = 0; i < padded; i++) effective_lane(b, i);
-        }
-    }
 #pragma omp simd
     for (int i = 0; i < padded; i++) law_normal(b, h, i, choice, need);
     if (need.tangent) {
@@ -398,14 +470,13 @@ LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
 
 /* ---- walls and readers ----------------------------------------------------------------------- */
 
-static void tally_power(pass *p, size_t begin, int count) {
+static void tally_power(pass *p, size_t begin, int count, int padded) {
+#pragma omp simd
+    for (int i = 0; i < padded; i++) wall_power_lane(&p->b, &p->l, i);
     for (int i = 0; i < count; i++) {
-        const wall *l = &p->w->walls[p->list->b[begin + (size_t)i]];
-        vec3 v = to_kernel(p->w, l->surface_velocity);
-        if (v.x == 0 && v.y == 0 && v.z == 0) continue;
-        double power =
-            (double)p->b.f[0][i] * v.x + (double)p->b.f[1][i] * v.y + (double)p->b.f[2][i] * v.z;
-        sum_add(&p->s->part_power[l->part], &p->w->ledger.scale, power * p->w->dt);
+        if (p->l.power[i] == 0) continue;
+        int owner = p->w->walls[p->list->b[begin + (size_t)i]].part;
+        sum_add(&p->s->part_power[owner], &p->w->ledger.scale, p->l.power[i] * p->w->dt);
     }
 }
 
@@ -425,17 +496,21 @@ LANE_INLINE void run_list(pass *p, law_need need) {
         size_t left = p->list->count - begin;
         int count = left < LANES ? (int)left : LANES, padded = (count + GROUP - 1) / GROUP * GROUP;
         if (p->with_walls)
-            load_walls(p, begin, count);
+            load_walls(p, begin, count, need);
         else
             load_spheres(p, begin, count, need);
         if (padded > count) pad(p, count, padded);
+        if (p->with_walls)
+            touch_walls(p, begin, count, padded);
+        else
+            touch_spheres(p, padded, need);
         run_lanes(p, begin, padded, need);
         tally_lanes(p, padded);
         if (p->report) report(p, begin, count);
         if (p->mode == CONTACTS_REPORT) continue;
         round_loads(p, padded, need);
         scatter(p, begin, count, need);
-        if (p->with_walls) tally_power(p, begin, count);
+        if (p->with_walls) tally_power(p, begin, count, padded);
     }
 }
 

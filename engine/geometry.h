@@ -109,9 +109,14 @@ static inline bool is_no_way(const wall *l, flat_way way) {
     return fabs(way.s) <= crack && fabs(way.t) <= crack;
 }
 
+/* m: farther inside a rectangle than this no other wall of its mesh holds the point. */
+static inline double wall_rim(const wall *l) {
+    return 1e-9 * l->bound;
+}
+
 /* Nothing of a mesh lies over the inside of one of its patches. */
 static inline bool is_off_border(const wall *l, double s, double t) {
-    double slack = 1e-9 * l->bound;
+    double slack = wall_rim(l);
     return l->is_rectangle && fabs(s) < l->def.half_side[0] - slack &&
            fabs(t) < l->def.half_side[1] - slack;
 }

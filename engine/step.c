@@ -113,6 +113,7 @@ clast_status clast_world_prepare(clast_world *w) {
     clast_status s = prepare_checked(w);
     if (s) return s;
     walls_link(w);
+    walls_make_rows(w);
     walls_move(w);
     carry_records(w);
     lists_rebuild(w);

@@ -1,5 +1,5 @@
 /* wall.c - planes and plates, grouped in parts that move as the scene prescribes. */
-#include "engine/world.h"
+#include "engine/geometry.h"
 
 int clast_part_add(clast_world *w, const clast_part_def *def) {
     CLAST_ASSERT(w && def && !w->prepared);
@@ -138,6 +138,37 @@ static bool move_part(clast_world *w, part *p, double t) {
     return !still;
 }
 
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static void put_row(const clast_world *w, double to[3], vec3 a) {
+    vec3 k = to_kernel(w, a);
+    to[0] = k.x, to[1] = k.y, to[2] = k.z;
+}
+
+static void place_row(const clast_world *w, wall_row *r, const wall *l) {
+    put_row(w, r->point, l->point);
+    put_row(w, r->motion, l->surface_velocity);
+}
+
+static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
+    bool plane = l->def.kind == CLAST_WALL_PLANE;
+    bool uneven = l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle;
+    *r = (wall_row){.zero = 0};
+    put_row(w, r->n, l->n), put_row(w, r->u, l->u), put_row(w, r->v, l->v);
+    r->half_u = plane ? WALL_ENDLESS : uneven ? l->bound : l->def.half_side[0];
+    r->half_v = plane ? WALL_ENDLESS : uneven ? l->bound : l->def.half_side[1];
+    if (uneven || (l->joined_count > 0 && !l->is_rectangle))
+        r->rim = WALL_ENDLESS; /* never clear of it */
+    else
+        r->rim = l->joined_count > 0 ? wall_rim(l) : -WALL_ENDLESS;
+    place_row(w, r, l);
+}
+
+void walls_make_rows(clast_world *w) {
+    w->wall_rows = memory_grow(w, NULL, 0, (size_t)w->wall_count + 1, sizeof *w->wall_rows);
+    for (int i = 0; i < w->wall_count; i++) fill_row(w, &w->wall_rows[i], &w->walls[i]);
+}
+
 /* Puts every part where it is now. Positions are functions of time, never sums of steps. */
 void walls_move(clast_world *w) {
     double t = (double)w->step * w->dt;
@@ -149,5 +180,6 @@ void walls_move(clast_world *w) {
         const part *p = &w->parts[l->part];
         l->point = v3_add(l->def.point, p->offset);
         l->surface_velocity = v3_add(p->velocity, l->def.belt_velocity);
+        if (w->wall_rows) place_row(w, &w->wall_rows[i], l);
     }
 }

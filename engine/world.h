@@ -144,10 +144,23 @@ typedef struct wall {
     double bound;          /* m, plate, patch: radius about the point that holds it all */
     vec3 half_box;         /* m, of the box about the point, likewise */
     patch patch;
-    bool is_rectangle;     /* a patch that fills the rectangle of half_side about its point */
-    int *joined; /* plates or patches that share a border with this one */
+    bool is_rectangle; /* a patch that fills the rectangle of half_side about its point */
+    int *joined;       /* plates or patches that share a border with this one */
     int joined_count, joined_room;
 } wall;
+
+/* m, half a side of what has no end; its square is a number. */
+#define WALL_ENDLESS 0x1p500
+
+/* What the contact pass reads of a wall, kernel frame (wall_lanes.h). Zeros, so that the row of a
+ * sphere less that of a wall keeps what stands behind its vector. */
+typedef struct wall_row {
+    double point[3], zero;  /* m, now */
+    double motion[3], none; /* m/s, of the surface, now */
+    double n[3], half_u;    /* m */
+    double u[3], half_v;    /* m; endless: a plane, which has one side */
+    double v[3], rim;       /* m: nearer to the border another wall may hold the point */
+} wall_row;
 
 /* ---- lists ----------------------------------------------------------------------------------- */
 
@@ -222,7 +235,7 @@ typedef struct share {
     wall_reach wall_reach;
     contact_list contacts, walls;
     found_list found[2]; /* while they are made */
-    load_row *overhang; /* of bodies from body_end on that this share's contacts load */
+    load_row *overhang;  /* of bodies from body_end on that this share's contacts load */
     size_t overhang_count, overhang_capacity;
     contact_tally contact_tally;
     body_tally body_tally;
@@ -246,9 +259,9 @@ typedef struct record_list {
 typedef struct carry_store {
     int lists, list_capacity;
     contact_list *list;
-    uint32_t *base;   /* per list and one more: number of its first entry */
-    uint32_t *first;  /* per sphere and two more: its first place in the order */
-    uint32_t *order;  /* entries by their sphere of lower index */
+    uint32_t *base;  /* per list and one more: number of its first entry */
+    uint32_t *first; /* per sphere and two more: its first place in the order */
+    uint32_t *order; /* entries by their sphere of lower index */
     size_t entries;
 } carry_store;
 
@@ -271,8 +284,8 @@ typedef struct speciality {
     bool tangent;  /* friction or cohesion somewhere */
     bool one_kind; /* all spheres alike: radius, mass, material */
     bool one_material, one_shape;
-    bool one_wall;  /* spheres of one kind, walls of one material */
-    bool round; /* all bodies have three equal moments */
+    bool one_wall; /* spheres of one kind, walls of one material */
+    bool round;    /* all bodies have three equal moments */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
@@ -303,7 +316,8 @@ struct clast_world {
     shape *shapes;
     part *parts;
     wall *walls;
-    pair_coef *coefs; /* material_count squared */
+    wall_row *wall_rows; /* once prepared */
+    pair_coef *coefs;    /* material_count squared */
     int material_count, shape_count, part_count, wall_count, wall_room;
 
     body_store bodies;
@@ -315,7 +329,7 @@ struct clast_world {
     record_list records;
     carry_store carry;
     uint32_t next_id, name_stride; /* of a name: id times this plus the place in the shape */
-    int32_t *slot_of_id; /* -1 = gone */
+    int32_t *slot_of_id;           /* -1 = gone */
     size_t slot_of_id_capacity;
     int axes[3]; /* world axis of each axis of the kernel frame */
 
@@ -420,6 +434,7 @@ void special_choose_scale(clast_world *w);
 wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
 void wall_join(clast_world *w, int wall, int other);
 void walls_link(clast_world *w);
+void walls_make_rows(clast_world *w);
 void walls_move(clast_world *w);
 bool wall_box(const wall *l, vec3 *low, vec3 *high);
 
@@ -435,7 +450,9 @@ void entry_free(clast_world *w, contact_list *l);
 bool contact_touches(const clast_world *w, const contact_list *l, size_t k);
 history contact_history(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
 
-static inline size_t entry_room(size_t count) { return count + count / 16 + 2 * ENTRIES_BEHIND; }
+static inline size_t entry_room(size_t count) {
+    return count + count / 16 + 2 * ENTRIES_BEHIND;
+}
 
 /* carry.c */
 void carry_lists(clast_world *w);
