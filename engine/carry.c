@@ -147,6 +147,17 @@ const void *carry_number(const clast_world *w, uint32_t entry, int column) {
     return (const char *)w->carry.list[l].column[column] + k * entry_number_size(w);
 }
 
+/* Found: histories go by entry from here on. */
+void carry_drop_places(clast_world *w) {
+    drop_places(w);
+    for (int l = 0; l < w->carry.lists; l++) {
+        contact_list *list = &w->carry.list[l];
+        memory_return(w, 2 * list->capacity * sizeof *list->a);
+        memory_release(list->a), memory_release(list->b);
+        list->a = list->b = NULL;
+    }
+}
+
 void carry_drop_column(clast_world *w, int column) {
     for (int l = 0; l < w->carry.lists; l++) {
         contact_list *list = &w->carry.list[l];
@@ -156,15 +167,9 @@ void carry_drop_column(clast_world *w, int column) {
     }
 }
 
-/* Needs all columns dropped. */
+/* Needs places and all columns dropped. */
 void carry_end(clast_world *w) {
-    for (int l = 0; l < w->carry.lists; l++) {
-        contact_list *list = &w->carry.list[l];
-        memory_return(w, 2 * list->capacity * sizeof *list->a);
-        memory_release(list->a), memory_release(list->b);
-    }
     w->carry.lists = 0;
-    drop_places(w);
 }
 
 void carry_free(clast_world *w) {

@@ -27,7 +27,7 @@ typedef struct saved {
     uint32_t next_id;
     double dt, contact_dt, overlap_max, overlap_now;
     body_store bodies; /* in the order of ids */
-    double *now[6];    /* velocity and spin at the time of the positions */
+    double *now[6];    /* velocity and spin at the time of the positions; to inherit */
     contact_record *records;
     size_t record_count;
     ledger ledger;
@@ -268,7 +268,7 @@ static void check_format(h5_file *f, const char *path) {
                 path, (unsigned long long)version, FORMAT_VERSION);
 }
 
-static void read_bodies(h5_file *f, saved *s) {
+static void read_bodies(h5_file *f, saved *s, bool to_inherit) {
     size_t n = s->bodies.count = h5_count(f, "/bodies/id");
 #define X(type, name)                                                                              \
     s->bodies.name = calloc(n + 1, sizeof(type));                                                  \
@@ -276,7 +276,7 @@ static void read_bodies(h5_file *f, saved *s) {
     h5_read(f, "/bodies/" #name, TYPE_OF(type), n, s->bodies.name);
     BODY_COLUMNS(X)
 #undef X
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6 && to_inherit; i++) {
         s->now[i] = calloc(n + 1, sizeof(double));
         CLAST_ASSERT(s->now[i]);
         h5_read(f, NOW[i], H5_F64, n, s->now[i]);
@@ -304,7 +304,7 @@ static void read_contacts(h5_file *f, saved *s) {
 #undef X
 }
 
-static void read_saved(h5_file *f, const char *path, saved *s) {
+static void read_saved(h5_file *f, const char *path, saved *s, bool to_inherit) {
     check_format(f, path);
     s->step = h5_u64_attribute(f, "/", "step");
     s->hash = h5_u64_attribute(f, "/", "hash");
@@ -316,7 +316,7 @@ static void read_saved(h5_file *f, const char *path, saved *s) {
     s->overlap_now = h5_double_attribute(f, "/", "overlap_now");
     s->scene = h5_read_text(f, "/scene");
     s->wall_names = h5_read_text(f, "/walls");
-    read_bodies(f, s);
+    read_bodies(f, s, to_inherit);
     read_contacts(f, s);
     size_t numbers;
     s->part_work = h5_read_all(f, "/parts/work", H5_F64, &numbers);
@@ -409,14 +409,17 @@ static const char *fault_of_indices(const clast_world *w, const saved *s, const 
 
 /* ---- loading --------------------------------------------------------------------------------- */
 
-static void install_bodies(clast_world *w, const saved *s) {
+/* The world takes the columns over: both at once would be the most memory that it ever needs. */
+static void install_bodies(clast_world *w, saved *s) {
     body_store *b = &w->bodies;
     size_t n = s->bodies.count;
-    body_reserve(w, n);
-    b->count = n;
-#define X(type, name) memcpy(b->name, s->bodies.name, n * sizeof(type));
+#define X(type, name)                                                                              \
+    memory_return(w, b->capacity * sizeof(type)), memory_release(b->name);                         \
+    memory_adopt(w, (n + 1) * sizeof(type));                                                       \
+    b->name = s->bodies.name, s->bodies.name = NULL;
     BODY_COLUMNS(X)
 #undef X
+    b->count = n, b->capacity = n + 1;
     CLAST_ASSERT(s->next_id == w->next_id && w->next_id <= w->slot_of_id_capacity);
     for (uint32_t id = 0; id < w->next_id; id++) w->slot_of_id[id] = -1;
     for (size_t i = 0; i < n; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
@@ -465,9 +468,10 @@ static clast_status check_and_install(clast_world *w, const char *path, saved *s
 }
 
 /* Opens and reads; on failure the world holds the message. */
-static clast_status read_file(clast_world *w, const char *path, saved *s, char **note) {
+static clast_status read_file(clast_world *w, const char *path, saved *s, char **note,
+                              bool to_inherit) {
     h5_file *f = h5_open(path);
-    read_saved(f, path, s);
+    read_saved(f, path, s, to_inherit);
     char *text = h5_read_text(f, "/note");
     clast_status status = h5_status(f);
     if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
@@ -486,7 +490,7 @@ clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note
     if (status != CLAST_OK) return status;
     saved s = {0};
     char *text = NULL;
-    status = read_file(w, path, &s, &text);
+    status = read_file(w, path, &s, &text, false);
     if (status == CLAST_OK) status = check_and_install(w, path, &s);
     saved_free(&s);
     if (note && status == CLAST_OK)
@@ -590,7 +594,7 @@ static void inherit_contacts(clast_world *w, saved *s) {
 clast_status clast_checkpoint_inherit(clast_world *w, const char *path) {
     CLAST_ASSERT(w && path && !w->prepared && w->bodies.count == 0);
     saved s = {0};
-    clast_status status = read_file(w, path, &s, NULL);
+    clast_status status = read_file(w, path, &s, NULL, true);
     if (status == CLAST_OK) {
         int shapes;
         int *shape_of = match_shapes(w, &s, &shapes);

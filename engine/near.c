@@ -97,6 +97,7 @@ static void forget_found(clast_world *w, found_list *f) {
 }
 
 static void take_histories(clast_world *w) {
+    carry_drop_places(w);
     for (int k = 0; k < HISTORY_COLUMNS; k++) {
         column_order o = {w, k};
         parallel_run(w->threads, fill_share, &o);

@@ -461,6 +461,7 @@ void carry_place(clast_world *w);
 carried carry_at(const clast_world *w, uint32_t k);
 uint32_t carry_find(const clast_world *w, size_t sphere, int32_t partner, bool with_wall);
 const void *carry_number(const clast_world *w, uint32_t entry, int column);
+void carry_drop_places(clast_world *w);
 void carry_drop_column(clast_world *w, int column);
 void carry_end(clast_world *w);
 void carry_free(clast_world *w);

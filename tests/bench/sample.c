@@ -109,6 +109,10 @@ static void become(const bench_order *o, const char *program, const char *states
     snprintf(steps, sizeof steps, "%" PRIu64, o->steps);
     snprintf(warm, sizeof warm, "%" PRIu64, o->warm);
     dup2(out, STDOUT_FILENO);
+    char lean[4096]; /* where there is one: without the library that reads meshes */
+    ssize_t length = readlink(program, lean, sizeof lean - 8);
+    if (length > 0) memcpy(lean + length, "_lean", 6);
+    if (length > 0 && !o->scene->meshes && access(lean, X_OK) == 0) program = lean;
     execl(program, program, "--one", o->scene->name, threads, isa, o->wish.fresh ? "1" : "0", steps,
           warm, states, (char *)NULL);
     perror(program);

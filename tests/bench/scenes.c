@@ -17,7 +17,7 @@ const bench_scene bench_scenes[] = {
     {"C4", "as B, rigid chains of 4 spheres", 5000, 4, 1e-5, 1500, 500, .recipe = &bench_hopper},
 #ifdef CLAST_BENCH_SILO
     {"D", "20 000 spheres d 10 mm at rest in a silo of 2000 triangles", 20000, 1, 5e-5, 1500, 300,
-     .recipe = &bench_silo},
+     .recipe = &bench_silo, .meshes = true},
 #endif
     {"G100", "100 spheres d 15 mm on 11 slowly moving bars", 100, 1, 5e-5, 120000, 2000,
      .recipe = &bench_grate},

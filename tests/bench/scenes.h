@@ -24,6 +24,7 @@ typedef struct bench_scene {
     uint64_t warm;    /* steps before the timed ones */
     const struct bench_recipe *recipe;
     bench_use use;
+    bool meshes; /* walls from a file */
 } bench_scene;
 
 extern const bench_scene bench_scenes[];
