@@ -97,8 +97,10 @@ CLAST_INLINE static inline void put(double *const column[3], size_t i, vec3 a) {
     column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
 }
 
+/* oriented: else nobody sees how the bodies are turned, and their orientations stay. */
 CLAST_INLINE static inline void move_block(const clast_world *w, block *b, kernel_columns c,
-                                           int count, turning turn, findings *found) {
+                                           int count, turning turn, bool oriented,
+                                           findings *found) {
     body_choice choice = {w->dt, 0.5 * w->def.global_damping * w->dt, to_kernel(w, w->def.gravity)};
     double qf = w->load_scale.force_quantum, qt = w->load_scale.torque_quantum, way = found->way;
     vec3 low = to_kernel(w, w->def.domain_min), high = to_kernel(w, w->def.domain_max);
@@ -116,10 +118,10 @@ CLAST_INLINE static inline void move_block(const clast_world *w, block *b, kerne
         kick k = kicked(turn, choice, m, force, torque, b->mass[i], b->inverse_mass[i], inverse);
         vec3 x = v3_add(at(c.x, j), v3_scale(choice.dt, k.velocity));
         if (turn == TURN_IN_PLANE) x.z = c.x[2][j];
-        quat q = turned_by(turn, m.q, k.momentum, inverse, choice.dt);
+        quat q = oriented ? turned_by(turn, m.q, k.momentum, inverse, choice.dt) : m.q;
         vec3 spin = spin_of(turn, q, k.momentum, inverse);
         put(c.x, j, x), put(c.v, j, k.velocity), put(c.l, j, k.momentum);
-        c.qw[j] = q.w, c.q[0][j] = q.x, c.q[1][j] = q.y, c.q[2][j] = q.z;
+        if (oriented) c.qw[j] = q.w, c.q[0][j] = q.x, c.q[1][j] = q.y, c.q[2][j] = q.z;
         b->w[0][i] = spin.x, b->w[1][i] = spin.y, b->w[2][i] = spin.z;
         double step = choice.dt * (v3_norm(k.velocity) + v3_norm(spin) * b->bound[i]);
         way = step > way ? step : way;
@@ -177,12 +179,17 @@ static kernel_columns columns_from(kernel_columns c, size_t begin) {
 }
 
 static void move(clast_world *w, block *b, kernel_columns c, int count, findings *found) {
-    if (w->def.motion == CLAST_MOTION_IN_PLANE)
-        move_block(w, b, c, count, TURN_IN_PLANE, found);
+    bool plane = w->def.motion == CLAST_MOTION_IN_PLANE, oriented = w->special.oriented;
+    if (plane && oriented)
+        move_block(w, b, c, count, TURN_IN_PLANE, true, found);
+    else if (plane)
+        move_block(w, b, c, count, TURN_IN_PLANE, false, found);
+    else if (w->special.round && oriented)
+        move_block(w, b, c, count, TURN_ROUND, true, found);
     else if (w->special.round)
-        move_block(w, b, c, count, TURN_ROUND, found);
+        move_block(w, b, c, count, TURN_ROUND, false, found);
     else
-        move_block(w, b, c, count, TURN_ANY, found);
+        move_block(w, b, c, count, TURN_ANY, true, found);
 }
 
 void CLAST_BODY_KERNEL(clast_world *w, share *s) {

@@ -59,7 +59,8 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
             (int)d->unloading);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
-    fprintf(t, "global damping %.17g, precision %d\n", d->global_damping, (int)d->precision);
+    fprintf(t, "global damping %.17g, precision %d%s\n", d->global_damping, (int)d->precision,
+            d->turn_spheres ? ", spheres turn" : "");
     fprintf(t, "time step %.17g\n", w->dt);
     fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,

@@ -116,6 +116,8 @@ typedef struct clast_world_def {
     int threads;   /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
     clast_isa isa; /* vector lanes; never observable */
     clast_precision precision;
+    bool turn_spheres; /* keep track of the orientation of single spheres, which only drawings of
+                          marked ones show; costs some 7 %. Their spin is always kept */
     uint64_t seed;  /* the only source of randomness of a run */
     uint32_t magic; /* set by clast_world_def_default(): catches a def that was built by hand */
 } clast_world_def;

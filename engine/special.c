@@ -76,6 +76,7 @@ static bool is_flat(const clast_world *w) {
 void special_choose(clast_world *w) {
     const shape *first = &w->shapes[0];
     speciality k = {.tangent = has_tangent(w),
+                    .oriented = w->def.turn_spheres,
                     .one_shape = w->shape_count == 1,
                     .round = true,
                     .one_kind = true,
@@ -84,6 +85,7 @@ void special_choose(clast_world *w) {
         const shape *s = &w->shapes[i];
         k.clumps |= !is_single(s);
         k.round &= s->round_inertia;
+        k.oriented |= !is_single(s) || !s->round_inertia || s->outline_points > 0;
         k.one_material &= s->material == first->material;
         k.one_kind &= s->mass == first->mass;
         for (int e = 0; e < s->spheres; e++) k.one_kind &= s->radius[e] == first->radius[0];

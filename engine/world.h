@@ -286,6 +286,7 @@ typedef struct speciality {
     bool one_material, one_shape;
     bool one_wall; /* spheres of one kind, walls of one material */
     bool round;    /* all bodies have three equal moments */
+    bool oriented;  /* it matters how bodies are turned: clumps, or asked for */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */

@@ -484,6 +484,8 @@ static const scene_key SCENE_KEYS[] = {
     {"guards", KEY_SECTION, .section = &GUARD, .meaning = "when a run has failed"},
     {"precision", KEY_CHOICE, FIELD(def.precision), .choices = PRECISIONS, .fallback = "double",
      .meaning = "of numbers at contacts; mixed: forces, springs and velocities there single"},
+    {"turn_spheres", KEY_SWITCH, FIELD(def.turn_spheres), .fallback = "false",
+     .meaning = "orientations of single spheres are followed; their spins always are"},
     {"engine", KEY_SECTION, .section = &ENGINE, .meaning = "speed; never changes a result"},
     {"output", KEY_SECTION, .section = &OUTPUT, .meaning = "what is written"},
     {"measures", KEY_NAMED, FIELD(measures), .section = &MEASURE,

@@ -160,8 +160,7 @@ static double energy_error(double dt, double *momentum_error) {
         double n2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
         CHECK_NEAR(n2, 1, 1e-15 * 4);
         /* energy = L . omega / 2 with the same L all the time */
-        *momentum_error = fmax(*momentum_error,
-                               fabs(dot(l0, b.spin) / 2 / motion_energy(w) - 1));
+        *momentum_error = fmax(*momentum_error, fabs(dot(l0, b.spin) / 2 / motion_energy(w) - 1));
     }
     clast_world_free(w);
     return worst;
@@ -198,9 +197,11 @@ static clast_world *layer(clast_motion motion) {
     dice d = {1234, 0};
     for (int i = 0; i < BODIES; i++) {
         double angle = roll(&d, -3, 3);
-        clast_body_def b = {shapes[i % 3], {0.019 * (i % 3 - 1), 0, 0.02 + 0.019 * (i / 3)},
+        clast_body_def b = {shapes[i % 3],
+                            {0.019 * (i % 3 - 1), 0, 0.02 + 0.019 * (i / 3)},
                             clast_quat_axis_angle(vec(0, 1, 0), angle),
-                            {roll(&d, -.1, .1), 0, roll(&d, -.1, .1)}, {0, roll(&d, -30, 30), 0}};
+                            {roll(&d, -.1, .1), 0, roll(&d, -.1, .1)},
+                            {0, roll(&d, -30, 30), 0}};
         if (clast_body_add(w, &b) < 0) fail_msg("%s", clast_world_error(w));
     }
     return w;
@@ -271,9 +272,41 @@ static void any_plane_of_motion(void **state) {
     }
 }
 
-TEST_MAIN(cmocka_unit_test(leapfrog_is_second_order), cmocka_unit_test(free_fall_is_exact),
-          cmocka_unit_test(global_damping_is_exponential),
+/* A ball falls on a floor and rolls off: where it is after 0.3 s. */
+static body_state rolled(bool turned, clast_motion motion) {
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
+    def.gravity = vec(0, 0, -9.81);
+    def.turn_spheres = turned, def.motion = motion, def.plane_axis = 1;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(0.4, 0.5);
+    two_materials m = add_materials(w, &pair);
+    int ball = clast_shape_add_sphere(w, "ball", 0.005, m.soft);
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "floor"}), m.hard, vec(0, 0, 0),
+              vec(0, 0, 1));
+    add_body(w, ball, vec(0, 0, 0.005), vec(0.05, 0, 0), vec(0, 0, 0));
+    run_to(w, 0.3);
+    body_state s = body_of(w, 0);
+    clast_world_free(w);
+    return s;
+}
+
+/* The orientation of a sphere is followed where it is asked for, and changes nothing else. */
+static void spheres_turn_when_asked(void **state) {
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        clast_motion motion = k ? CLAST_MOTION_IN_PLANE : CLAST_MOTION_3D;
+        body_state marked = rolled(true, motion), plain = rolled(false, motion);
+        assert_memory_equal(&marked.position, &plain.position, sizeof marked.position);
+        assert_memory_equal(&marked.spin, &plain.spin, sizeof marked.spin);
+        assert_true(plain.orientation.w == 1);
+        double angle = 2 * atan2(marked.orientation.y, marked.orientation.w);
+        CHECK_NEAR(angle, marked.position.x / 0.005, 0.05 * angle); /* it slid at first */
+        assert_true(angle > 1);
+    }
+}
+
+TEST_MAIN(cmocka_unit_test(spheres_turn_when_asked), cmocka_unit_test(leapfrog_is_second_order),
+          cmocka_unit_test(free_fall_is_exact), cmocka_unit_test(global_damping_is_exponential),
           cmocka_unit_test(a_free_top_follows_the_reference),
           cmocka_unit_test(a_free_top_keeps_momentum_and_energy),
-          cmocka_unit_test(in_a_plane_is_in_space),
-          cmocka_unit_test(any_plane_of_motion))
+          cmocka_unit_test(in_a_plane_is_in_space), cmocka_unit_test(any_plane_of_motion))
