@@ -185,13 +185,18 @@ static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count) {
 }
 
 /* Rows and loads of the partners of the next batch, where they are too many for the second-level
- * cache: a third of the pass at 100 000 spheres, nothing but instructions at 20 000. */
-LANE_INLINE void prefetch_batch(const pass *p, size_t begin, law_need need) {
+ * cache, a piece at every stage, since a processor waits for so many lines at a time and no more: a
+ * third of the pass at 100 000 spheres, nothing but instructions at 20 000. */
+enum { PIECES = 7, PIECE = (LANES + PIECES - 1) / PIECES };
+
+LANE_INLINE void prefetch_piece(const pass *p, size_t begin, int piece, law_need need) {
+    if (!p->far) return;
+    size_t from = begin + LANES + (size_t)piece * PIECE, to = from + PIECE;
+    if (to > p->list->count) to = p->list->count;
     const row_store *r = &p->w->rows;
-    size_t left = p->list->count - begin;
-    const int32_t *b = p->list->b + begin;
-    for (size_t i = 0; i < (left < LANES ? left : LANES); i++) {
-        size_t sphere = (size_t)b[i], body = need.clumps ? (size_t)r->arm[sphere].body : sphere;
+    for (size_t i = from; i < to; i++) {
+        size_t sphere = (size_t)p->list->b[i],
+               body = need.clumps ? (size_t)r->arm[sphere].body : sphere;
         __builtin_prefetch(&r->centre[sphere]);
         __builtin_prefetch(&r->motion[body]);
         __builtin_prefetch(&r->loads[body], 1);
@@ -199,7 +204,6 @@ LANE_INLINE void prefetch_batch(const pass *p, size_t begin, law_need need) {
 }
 
 LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
-    if (p->far && begin + LANES < p->list->count) prefetch_batch(p, begin + LANES, need);
     const int32_t *a = p->list->a + begin, *b = p->list->b + begin;
     const row_store *r = &p->w->rows;
     for (int i = load_fours(p, a, b, count, need); i < count; i++)
@@ -342,12 +346,15 @@ LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
     batch *b = &p->b;
     law_choice choice = p->choice;
     history_lanes h = history_at(p->list, begin);
+    prefetch_piece(p, begin, 1, need);
 #pragma omp simd
     for (int i = 0; i < padded; i++) law_normal(b, h, i, choice, need);
+    prefetch_piece(p, begin, 2, need);
     if (need.tangent) {
 #pragma omp simd
         for (int i = 0; i < padded; i++) law_spring(b, h, i, choice, need);
     }
+    prefetch_piece(p, begin, 3, need);
 #pragma omp simd
     for (int i = 0; i < padded; i++) law_force(b, h, i, need);
 }
@@ -504,11 +511,15 @@ LANE_INLINE void run_list(pass *p, law_need need) {
             touch_walls(p, begin, count, padded);
         else
             touch_spheres(p, padded, need);
+        prefetch_piece(p, begin, 0, need);
         run_lanes(p, begin, padded, need);
+        prefetch_piece(p, begin, 4, need);
         tally_lanes(p, padded);
+        prefetch_piece(p, begin, 5, need);
         if (p->report) report(p, begin, count);
         if (p->mode == CONTACTS_REPORT) continue;
         round_loads(p, padded, need);
+        prefetch_piece(p, begin, 6, need);
         scatter(p, begin, count, need);
         if (p->with_walls) tally_power(p, begin, count, padded);
     }
@@ -578,7 +589,7 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     p.report = mode == CONTACTS_REPORT ? s->report : NULL;
     run(&p);
     p.need.equal = !k->clumps; /* a wall does not spin and feels no torque */
-    p.list = &s->walls, p.with_walls = true;
+    p.list = &s->walls, p.with_walls = true, p.far = false;
     p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
     run(&p);
     s->contact_tally = p.tally;
