@@ -4,14 +4,13 @@
  *     button-hopper figures             runs, writes data and frames for the figures
  *
  * The size is the option --size, else CLAST_SIZE, else `published`. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 
 #include "experiments/button-hopper/hopper.h"
+#include "experiments/study/output.h"
 
 static const char USAGE[] =
     "usage: button-hopper validate|figures [--size quick|published|full] [--jobs N]\n"
@@ -19,21 +18,6 @@ static const char USAGE[] =
     "not\n"
     "repeated. CLAST_SIZE and CLAST_JOBS set the same.\n"
     "example: button-hopper validate --size quick\n";
-
-static void make_folder(const char *path) {
-    char copy[700];
-    snprintf(copy, sizeof copy, "%s", path);
-    for (char *at = copy + 1; *at; at++)
-        if (*at == '/') {
-            *at = '\0';
-            mkdir(copy, 0777);
-            *at = '/';
-        }
-    if (mkdir(copy, 0777) && errno != EEXIST) {
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
-        exit(4);
-    }
-}
 
 static double seconds(void) {
     struct timespec t;
@@ -51,13 +35,13 @@ static void open_study(hopper_study *s, const char *size_name) {
     snprintf(s->root, sizeof s->root, "%s/studies/button-hopper/runs", BUILD_FOLDER);
     snprintf(s->data, sizeof s->data, "%s/studies/button-hopper/%s/data", BUILD_FOLDER,
              s->size->name);
-    make_folder(s->root);
-    make_folder(s->data);
+    output_folder(s->root);
+    output_folder(s->data);
     s->processes = jobs_processes();
 }
 
 static int validate(hopper_study *s, const hopper_summary *m, const hopper_published *p) {
-    make_folder(BUILD_FOLDER "/validate");
+    output_folder(BUILD_FOLDER "/validate");
     return hopper_verdicts(s, m, p, BUILD_FOLDER "/validate/button-hopper.csv");
 }
 

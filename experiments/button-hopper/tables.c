@@ -1,31 +1,11 @@
 /* tables.c - the data folder: plain CSV that the figures are drawn from (figures/README.md). */
-#include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "engine/clast.h"
 #include "experiments/button-hopper/hopper.h"
 #include "experiments/run/results.h"
-
-static FILE *open_table(const hopper_study *s, const char *name, const char *header) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/%s", s->data, name);
-    FILE *f = fopen(path, "w");
-    if (!f)
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
-    else
-        fprintf(f, "%s\n", header);
-    return f;
-}
-
-static int close_table(FILE *f) {
-    bool bad = ferror(f) != 0; /* an earlier flush may have failed; the last need not */
-    bad |= fclose(f) != 0;
-    if (bad) fprintf(stderr, "a table cannot be written: %s\n", strerror(errno));
-    return bad ? 4 : 0;
-}
+#include "experiments/study/output.h"
 
 static results *open_run(const hopper_run *r) {
     char why[RESULTS_ERROR_MAX];
@@ -37,7 +17,7 @@ static results *open_run(const hopper_run *r) {
 /* ---- the button ------------------------------------------------------------------------------ */
 
 static int write_profile(const hopper_study *s) {
-    FILE *f = open_table(s, "profile.csv", "kind,x_cm,z_cm,r_cm");
+    FILE *f = output_table(s->data, "profile.csv", "kind,x_cm,z_cm,r_cm");
     if (!f) return 4;
     for (int i = 0; i <= 360; i++) {
         double sine, cosine;
@@ -48,15 +28,15 @@ static int write_profile(const hopper_study *s) {
     double radius[7];
     clast_fit_ellipse(BUTTON_A_CM, BUTTON_B_CM, 7, centre, radius);
     for (int i = 0; i < 7; i++) fprintf(f, "sphere,%.6f,0,%.6f\n", centre[i].x, radius[i]);
-    return close_table(f);
+    return output_close(f);
 }
 
 /* ---- one line per sample --------------------------------------------------------------------- */
 
 static int write_cumulative(const hopper_study *s) {
-    FILE *f = open_table(s, "cumulative.csv",
-                         "fill,orifice_cm,replicate,time_s,mass_g,number,"
-                         "solid_fraction,bulk_density_g_cm2");
+    FILE *f = output_table(s->data, "cumulative.csv",
+                           "fill,orifice_cm,replicate,time_s,mass_g,number,"
+                           "solid_fraction,bulk_density_g_cm2");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *h = &s->runs[i];
@@ -71,14 +51,15 @@ static int write_cumulative(const hopper_study *s) {
                     0.1 * rho[k]);
         results_free(r);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 static int write_rates(const hopper_study *s) {
-    FILE *f = open_table(s, "rates.csv",
-                         "fill,orifice_cm,replicate,q_g_s,from_s,to_s,blocked,left,"
-                         "solid_fraction_rest,solid_fraction_flow,bulk_density_flow_g_cm2,c_per_cm,"
-                         "arches,longest_arch_s");
+    FILE *f =
+        output_table(s->data, "rates.csv",
+                     "fill,orifice_cm,replicate,q_g_s,from_s,to_s,blocked,left,"
+                     "solid_fraction_rest,solid_fraction_flow,bulk_density_flow_g_cm2,c_per_cm,"
+                     "arches,longest_arch_s");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *h = &s->runs[i];
@@ -88,17 +69,17 @@ static int write_rates(const hopper_study *s) {
                 h->steady.from, h->steady.to, h->blocked, h->left, h->phi_rest, h->phi_flow,
                 h->rho_flow, h->c, h->arch_count, h->pause.length);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 /* ---- one line per orifice -------------------------------------------------------------------- */
 
 static int write_summary(const hopper_study *s, const hopper_summary *m,
                          const hopper_published *p) {
-    FILE *f = open_table(s, "summary.csv",
-                         "fill,orifice_cm,n,blocked,q_mean,q_half,q_experiment,"
-                         "q_thesis,rho_mean,rho_half,rho_experiment,rho_thesis,phi_mean,phi_half,"
-                         "c_mean,c_half,c_experiment,c_thesis");
+    FILE *f = output_table(s->data, "summary.csv",
+                           "fill,orifice_cm,n,blocked,q_mean,q_half,q_experiment,"
+                           "q_thesis,rho_mean,rho_half,rho_experiment,rho_thesis,phi_mean,phi_half,"
+                           "c_mean,c_half,c_experiment,c_thesis");
     if (!f) return 4;
     for (int fill = 0; fill < FILLS; fill++)
         for (int d = 0; d < ORIFICES; d++) {
@@ -110,7 +91,7 @@ static int write_summary(const hopper_study *s, const hopper_summary *m,
                     p->rho_experiment[d], p->rho_thesis[d], h->phi.mean, h->phi.half, h->c.mean,
                     h->c.half, p->c_experiment[d], p->c_thesis[d]);
         }
-    return close_table(f);
+    return output_close(f);
 }
 
 static void write_fit(FILE *f, const char *set, const beverloo *b) {
@@ -120,20 +101,20 @@ static void write_fit(FILE *f, const char *set, const beverloo *b) {
 
 static int write_beverloo(const hopper_study *s, const hopper_summary *m,
                           const hopper_published *p) {
-    FILE *f = open_table(s, "beverloo.csv", "set,slope,intercept,kd_cm,k,kd_half");
+    FILE *f = output_table(s->data, "beverloo.csv", "set,slope,intercept,kd_cm,k,kd_half");
     if (!f) return 4;
     beverloo experiment = beverloo_fit(ORIFICE_CM, p->q_experiment, ORIFICES, BUTTON_DIAMETER);
     beverloo thesis = beverloo_fit(ORIFICE_CM, p->q_thesis, ORIFICES, BUTTON_DIAMETER);
     write_fit(f, "ours", &m->fit);
     write_fit(f, "experiment", &experiment);
     write_fit(f, "thesis", &thesis);
-    return close_table(f);
+    return output_close(f);
 }
 
 /* ---- velocities ------------------------------------------------------------------------------ */
 
 static int write_velocity_samples(const hopper_study *s) {
-    FILE *f = open_table(s, "velocity_samples.csv", "orifice_cm,replicate,x_cm,v_m_s");
+    FILE *f = output_table(s->data, "velocity_samples.csv", "orifice_cm,replicate,x_cm,v_m_s");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *h = &s->runs[i];
@@ -142,12 +123,12 @@ static int write_velocity_samples(const hopper_study *s) {
             fprintf(f, "%g,%d,%.4f,%.5f\n", ORIFICE_CM[h->orifice], h->replicate + 1,
                     h->velocity_x[k], h->velocity[k]);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 static int write_velocity_fits(const hopper_study *s, const hopper_summary *m) {
-    FILE *f = open_table(s, "velocity_fit.csv",
-                         "orifice_cm,set,v0_m_s,b_cm,b_over_d,b_half_cm,mean_m_s,sd_m_s");
+    FILE *f = output_table(s->data, "velocity_fit.csv",
+                           "orifice_cm,set,v0_m_s,b_cm,b_over_d,b_half_cm,mean_m_s,sd_m_s");
     if (!f) return 4;
     for (int d = 0; d < ORIFICES; d++) {
         const hopper_profile *p = &m->profile[d];
@@ -157,7 +138,7 @@ static int write_velocity_fits(const hopper_study *s, const hopper_summary *m) {
         fprintf(f, "%g,free,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", ORIFICE_CM[d], p->free.v0, p->free.b,
                 p->free.b / BUTTON_DIAMETER, p->free.b_half, p->mean.mean, p->sd.mean);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 /* ---- the free surface ------------------------------------------------------------------------ */
@@ -178,7 +159,8 @@ static void write_surface_of(FILE *f, const hopper_run *h, const results *r) {
 }
 
 static int write_surface(const hopper_study *s) {
-    FILE *f = open_table(s, "surface.csv", "orifice_cm,replicate,time_s,section,x_cm,height_cm");
+    FILE *f =
+        output_table(s->data, "surface.csv", "orifice_cm,replicate,time_s,section,x_cm,height_cm");
     if (!f) return 4;
     for (int i = 0; i < s->flow_count; i++) {
         const hopper_run *h = &s->runs[i];
@@ -187,16 +169,16 @@ static int write_surface(const hopper_study *s) {
         write_surface_of(f, h, r);
         results_free(r);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 /* ---- sensitivity and what it was made with --------------------------------------------------- */
 
 static int write_sensitivity(const hopper_study *s, const hopper_sensitivity *v) {
     if (v->count == 0) return 0;
-    FILE *f = open_table(s, "sensitivity.csv",
-                         "assumption,variant,baseline,orifice_cm,n,q_mean,q_half,"
-                         "q_baseline,change_percent,blocked,rest_mean,rest_half");
+    FILE *f = output_table(s->data, "sensitivity.csv",
+                           "assumption,variant,baseline,orifice_cm,n,q_mean,q_half,"
+                           "q_baseline,change_percent,blocked,rest_mean,rest_half");
     if (!f) return 4;
     double base = NAN;
     for (int i = 0; i < v->count; i++) {
@@ -207,11 +189,11 @@ static int write_sensitivity(const hopper_study *s, const hopper_sensitivity *v)
                 h->q.half, base, 100 * (h->q.mean / base - 1), h->blocked, h->rest.mean,
                 h->rest.half);
     }
-    return close_table(f);
+    return output_close(f);
 }
 
 static int write_about(const hopper_study *s, const hopper_summary *m) {
-    FILE *f = open_table(s, "about.txt", "study=button-hopper");
+    FILE *f = output_table(s->data, "about.txt", "study=button-hopper");
     if (!f) return 4;
     uint64_t hash = 0;
     for (int i = 0; i < s->flow_count; i++) hash = (hash * 31) ^ s->flows[i].hash;
@@ -225,7 +207,7 @@ static int write_about(const hopper_study *s, const hopper_summary *m) {
             "rest_frictional=%.4f\n",
             m->error_percent.mean, m->error_percent.half, m->fit.kd, m->rest[FRICTIONLESS].mean,
             m->rest[FRICTIONAL].mean);
-    return close_table(f);
+    return output_close(f);
 }
 
 int hopper_write_tables(const hopper_study *s, const hopper_summary *m, const hopper_published *p,
