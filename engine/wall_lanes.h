@@ -40,7 +40,8 @@ LANE_INLINE void wall_lane(batch *b, wall_batch *l, int i) {
     double overlap = b->ra[i] - distance;
     int clear = (fabs(s) < half_u - rim) & (fabs(t) < half_v - rim);
     b->overlap[i] = overlap;
-    l->look[i] = (overlap > 0) & !clear ? 1 : 0;
+    int look = (overlap > 0) & !clear;
+    l->look[i] = look ? 1 : 0;
 }
 
 /* The overlap stands. */
