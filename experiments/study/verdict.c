@@ -112,6 +112,16 @@ verdict verdict_published(verdict_table *v, const published *p, interval ours, b
     return add(v, p, ours, comparable);
 }
 
+verdict verdict_named(verdict_table *v, const published_table *numbers, const char *quantity,
+                      double ours) {
+    const published *p = published_find(numbers, quantity);
+    if (!p) {
+        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
+        exit(4);
+    }
+    return verdict_published(v, p, interval_exact(ours), true);
+}
+
 /* ---- numbers as text ------------------------------------------------------------------------- */
 
 void interval_text(const interval *x, char *text, size_t room) {

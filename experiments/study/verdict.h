@@ -36,6 +36,10 @@ verdict verdict_add(verdict_table *v, const char *quantity, const char *unit, do
  */
 verdict verdict_published(verdict_table *v, const published *p, interval ours, bool comparable);
 
+/* The same for one exact number and the row of that name; without one, exits with code 4. */
+verdict verdict_named(verdict_table *v, const published_table *numbers, const char *quantity,
+                      double ours);
+
 /* Pure: what verdict_add decides. */
 verdict verdict_of(double target, interval ours, tolerance allowed, bool comparable);
 
