@@ -217,7 +217,7 @@ static void run_cloud(uint64_t seed, int steps_wanted, cloud_count *n) {
 
 static void every_overlap_is_listed(void **state) {
     (void)state;
-    enum { SEEDS = 200, STEPS = 60 };
+    enum { SEEDS = 50, STEPS = 60 };
     cloud_count n = {0};
     for (uint64_t seed = 1; seed <= SEEDS; seed++) run_cloud(seed, STEPS, &n);
     print_message("%zu steps: %zu contacts, %zu rebuilds, %zu refreshes, %zu bodies gone, %zu of "
