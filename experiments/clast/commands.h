@@ -17,6 +17,7 @@ typedef enum clast_exit {
 int cmd_check(int argc, char **argv);
 int cmd_plan(int argc, char **argv);
 int cmd_run(int argc, char **argv);
+int cmd_tune(int argc, char **argv);
 int cmd_render(int argc, char **argv);
 
 #endif

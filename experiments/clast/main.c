@@ -15,6 +15,7 @@ static const command COMMANDS[] = {
     {"run", cmd_run, "simulate a scene and write its results into a folder"},
     {"check", cmd_check, "read a scene and report everything that is wrong with it"},
     {"plan", cmd_plan, "say what a scene will take: kernel, time step, cost"},
+    {"tune", cmd_tune, "find the cheapest settings that keep what a scene measures"},
     {"render", cmd_render, "draw the frames of a run as pictures and an animation"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };

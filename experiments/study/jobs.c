@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -60,7 +61,7 @@ static void complain(const job *j, const char *message) {
     snprintf(path, sizeof path, "%s.log", j->folder);
     FILE *f = fopen(path, "w");
     if (f) fprintf(f, "%s\n", message), fclose(f);
-    fprintf(stderr, "%s: %s\n", j->label, message);
+    if (!j->quiet) fprintf(stderr, "%s: %s\n", j->label, message);
 }
 
 static int run_one(const job *j) {
@@ -127,6 +128,14 @@ typedef struct pool {
     int job[64], running;
 } pool;
 
+/* s of processor time of all children that were waited for. */
+static double children_time(void) {
+    struct rusage all;
+    if (getrusage(RUSAGE_CHILDREN, &all)) return 0;
+    return (double)(all.ru_utime.tv_sec + all.ru_stime.tv_sec) +
+           1e-6 * (double)(all.ru_utime.tv_usec + all.ru_stime.tv_usec);
+}
+
 /* Waits for one child; returns the job it was, and whether it did well. */
 static int reap(pool *p, bool *well) {
     int status;
@@ -168,7 +177,9 @@ int jobs_run(job *jobs, int count, int processes, const char *what) {
         }
         if (p.running == 0) break;
         bool well;
+        double before = children_time();
         job *j = &jobs[reap(&p, &well)];
+        j->seconds = children_time() - before;
         j->done = well && run_is_finished(j->folder, &j->hash);
         failed += !j->done;
         fresh++;

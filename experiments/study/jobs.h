@@ -18,9 +18,11 @@ typedef struct job {
     char label[80];                   /* for people: begins the folder's name */
     char set[JOB_SETTINGS][JOB_TEXT]; /* "name=value" */
     int set_count;
+    bool quiet;              /* what failed is in <folder>.log alone */
     char folder[JOB_FOLDER]; /* filled by jobs_name() */
     bool done;               /* filled by jobs_run() */
     uint64_t hash;           /* of the last state, when done */
+    double seconds;          /* of processor time that jobs_run() spent on it; 0 when it was kept */
 } job;
 
 /* Adds a parameter; printf style. */
