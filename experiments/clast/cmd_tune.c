@@ -15,10 +15,9 @@
 static const char HELP[] =
     "usage: clast tune SCENE --observable NAME --tolerance PERCENT% [OPTIONS]\n"
     "\n"
-    "Finds the cheapest time step, stiffness, precision and scheme that keep an observable within "
-    "the\n"
-    "tolerance, by pilot runs with the same seeds; prints the evidence and writes the tuned "
-    "scene.\n"
+    "Finds the cheapest time step, stiffness, spheres per body, precision and scheme that keep an\n"
+    "observable within the tolerance, by pilot runs with the same seeds; prints the evidence and\n"
+    "writes the tuned scene.\n"
     "\n"
     "  --observable NAME  MEASURE.COLUMN of the scene, with :final, :mean (second half of the "
     "time) or\n"

@@ -176,13 +176,15 @@ static bool look_at(tune *t, int soft, double contact_time[SOFT_LEVELS]) {
     return true;
 }
 
-static bool names_other_scheme(const char *text) {
+/* What the text itself tells of the knobs. */
+static void look_at_text(tune *t) {
     scene_arena arena = {0};
-    scene_edit e = scene_edit_start(&arena, text);
+    scene_edit e = scene_edit_start(&arena, t->text);
     const tree_node *scheme = tree_get(tree_get(e.root, "time"), "scheme");
-    bool other = scheme && scheme->kind == TREE_SCALAR && strcmp(scheme->text, "leapfrog") != 0;
+    t->space.can_leap =
+        scheme && scheme->kind == TREE_SCALAR && strcmp(scheme->text, "leapfrog") != 0;
+    t->space.fit_spheres = setting_fit_spheres(&e);
     scene_arena_free(&arena);
-    return other;
 }
 
 bool tune_look(tune *t) {
@@ -192,7 +194,7 @@ bool tune_look(tune *t) {
         t->space.follow[soft] = 1; /* the text is that of the softened scene at the old step */
         if (!look_at(t, soft, contact_time)) return false;
     }
-    t->space.can_leap = names_other_scheme(t->text);
+    look_at_text(t);
     return true;
 }
 

@@ -51,7 +51,8 @@ static bool examine(search *s, candidate *c, int first, paired *p, verdict_of_tr
 }
 
 static bool same_setting(setting a, setting b) {
-    return a.step == b.step && a.soft == b.soft && a.mixed == b.mixed && a.leapfrog == b.leapfrog;
+    return a.step == b.step && a.soft == b.soft && a.fit == b.fit && a.mixed == b.mixed &&
+           a.leapfrog == b.leapfrog;
 }
 
 /* NULL with t->failure. */
@@ -69,9 +70,9 @@ static trial *try_setting(search *s, setting which) {
 
 /* ---- one knob at a time ---------------------------------------------------------------------- */
 
-typedef enum knob { KNOB_SOFT, KNOB_STEP, KNOB_MIXED, KNOB_LEAPFROG, KNOBS } knob;
+typedef enum knob { KNOB_SOFT, KNOB_STEP, KNOB_FIT, KNOB_MIXED, KNOB_LEAPFROG, KNOBS } knob;
 
-static const int LEVELS[KNOBS] = {SOFT_LEVELS, STEP_LEVELS, 2, 2};
+static const int LEVELS[KNOBS] = {SOFT_LEVELS, STEP_LEVELS, FIT_LEVELS, 2, 2};
 
 static setting with(setting s, knob k, int level) {
     switch (k) {
@@ -80,6 +81,9 @@ static setting with(setting s, knob k, int level) {
         break;
     case KNOB_STEP:
         s.step = level;
+        break;
+    case KNOB_FIT:
+        s.fit = level;
         break;
     case KNOB_MIXED:
         s.mixed = level > 0;
@@ -116,16 +120,22 @@ static int by_cost(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+enum { COMBINATIONS = SOFT_LEVELS * STEP_LEVELS * FIT_LEVELS * 4 };
+
 /* Every combination of levels up to the best of each knob, cheapest first; returns their number. */
-static int combine(const search *s, const int best[KNOBS], setting *all) {
+static int combine(const search *s, const int best[KNOBS], setting all[COMBINATIONS]) {
     int count = 0;
-    for (int soft = 0; soft <= best[KNOB_SOFT]; soft++)
-        for (int step = 0; step <= best[KNOB_STEP]; step++)
-            for (int rest = 0; rest < 4; rest++) {
-                setting one = {.soft = soft, .step = step, .mixed = rest & 1, .leapfrog = rest & 2};
-                if ((rest & 1) > best[KNOB_MIXED] || (rest & 2) / 2 > best[KNOB_LEAPFROG]) continue;
-                if (setting_is_possible(&s->t->space, one)) all[count++] = one;
-            }
+    for (int i = 0; i < COMBINATIONS; i++) {
+        int rest = i;
+        bool within = true;
+        setting one = {0};
+        for (knob k = 0; k < KNOBS; k++) {
+            within = within && rest % LEVELS[k] <= best[k];
+            one = with(one, k, rest % LEVELS[k]);
+            rest /= LEVELS[k];
+        }
+        if (within && setting_is_possible(&s->t->space, one)) all[count++] = one;
+    }
     sort_space = &s->t->space;
     qsort(all, (size_t)count, sizeof *all, by_cost);
     return count;
@@ -146,7 +156,7 @@ static double cheapest_good(const search *s) {
 
 /* Tries what should be cheaper than all that is good so far, until one is kept. */
 static bool try_together(search *s, const int best[KNOBS]) {
-    setting all[SOFT_LEVELS * STEP_LEVELS * 4];
+    setting all[COMBINATIONS];
     int count = combine(s, best, all), before = s->count;
     double bound = cheapest_good(s);
     for (int i = 0; i < count && s->count < before + JOINT_MAX; i++) {

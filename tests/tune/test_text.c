@@ -67,6 +67,29 @@ static void keys_that_are_not_there(void **state) {
            "time: {end: 1 s, scheme: leapfrog}\n");
 }
 
+static void fitted_shapes_get_fewer_spheres(void **state) {
+    (void)state;
+    static const char SCENE[] = "parameters: {n: 7}\n"
+                                "shapes:\n  a: {fit: {ellipse: [2, 1], spheres: $n}} # large\n"
+                                "  b: {fit: {spheres: 3, ellipse: [2, 1]}}\n  c: {radius: 1 mm}\n"
+                                "time: {step: 2 us}\n";
+    scene_arena arena = {0};
+    scene_edit e = scene_edit_start(&arena, SCENE);
+    setting_space space = SPACE;
+    space.fit_spheres = setting_fit_spheres(&e);
+    assert_int_equal(space.fit_spheres, 7);
+    scene_arena_free(&arena);
+    expect(SCENE, &space, (setting){.fit = 1},
+           "parameters: {n: 7}\n"
+           "shapes:\n  a: {fit: {ellipse: [2, 1], spheres: 5}} # large\n"
+           "  b: {fit: {spheres: 3, ellipse: [2, 1]}}\n  c: {radius: 1 mm}\n"
+           "time: {step: 2 us}\n");
+    assert_true(setting_is_possible(&space, (setting){.fit = 1}));
+    space.fit_spheres = 5;
+    assert_false(setting_is_possible(&space, (setting){.fit = 1})); /* that is what it has */
+    assert_true(setting_is_possible(&space, (setting){.fit = 2}));
+}
+
 /* An alias is the same place again: dividing it twice would be wrong. */
 static void aliases_are_edited_once(void **state) {
     (void)state;
@@ -101,16 +124,17 @@ static void what_is_possible_and_what_it_costs(void **state) {
     none.can_mix = false;
     assert_false(setting_is_possible(&none, (setting){.mixed = true}));
     char text[SETTING_LABEL];
-    setting_describe((setting){.step = 4, .soft = 2, .mixed = true}, text);
-    assert_string_equal(text, "step x 4, stiffness / 10, mixed");
-    setting_name((setting){.step = 4, .soft = 2, .mixed = true}, text);
-    assert_string_equal(text, "step4-soft10-mixed");
+    setting_describe((setting){.step = 4, .soft = 2, .fit = 2, .mixed = true}, text);
+    assert_string_equal(text, "step x 4, stiffness / 10, spheres 3, mixed");
+    setting_name((setting){.step = 4, .soft = 2, .fit = 2, .mixed = true}, text);
+    assert_string_equal(text, "step4-soft10-fit3-mixed");
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_and_parameters),
         cmocka_unit_test(keys_that_are_not_there),
+        cmocka_unit_test(fitted_shapes_get_fewer_spheres),
         cmocka_unit_test(aliases_are_edited_once),
         cmocka_unit_test(places_that_cannot_be_found_are_refused),
         cmocka_unit_test(what_is_possible_and_what_it_costs),
