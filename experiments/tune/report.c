@@ -37,10 +37,22 @@ static void print_row(FILE *to, const search *s, const candidate *c, const paire
     fprintf(to, "  %s\n", verdict);
 }
 
+/* The first line that is no warning: what stopped it, not what was said before. */
+static void print_reason(FILE *to, const char *why) {
+    for (const char *line = why; *line;) {
+        int length = (int)strcspn(line, "\n");
+        const char *warning = strstr(line, ": warning: ");
+        if (!warning || warning > line + length || line[length] == '\0') {
+            fprintf(to, "    %.*s\n", length, line);
+            return;
+        }
+        line += length + 1;
+    }
+}
+
 static void print_trial(FILE *to, const search *s, const trial *one) {
     print_row(to, s, &one->pilots, &one->found, VERDICTS[one->verdict]);
-    if (one->pilots.stopped[0])
-        fprintf(to, "    %.*s\n", (int)strcspn(one->pilots.stopped, "\n"), one->pilots.stopped);
+    if (one->pilots.stopped[0]) print_reason(to, one->pilots.stopped);
     if (one->checked && s->t->confirm) {
         fprintf(to, "%-36s %9s %9s %8s", "  the same on fresh replicates", "", "", "");
         print_difference(to, &one->fresh);
