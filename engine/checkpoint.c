@@ -13,7 +13,7 @@
 #include "engine/hdf5_io.h"
 #include "engine/world.h"
 
-enum { FORMAT_VERSION = 2 };
+enum { FORMAT_VERSION = 3 };
 #define FORMAT_NAME "clast checkpoint"
 
 enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };
@@ -56,8 +56,9 @@ static void describe_world(FILE *t, const clast_world *w) {
     const clast_world_def *d = &w->def;
     fprintf(t, "bodies added %u\n", w->next_id);
     fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
-    fprintf(t, "law %d, friction limit %d, unloading %d\n", (int)d->law, (int)d->limit,
-            (int)d->unloading);
+    fprintf(t, "law %d, tangent %d, friction limit %d, unloading %d\n", (int)d->law,
+            (int)d->tangent, (int)d->limit, (int)d->unloading);
+    if (d->law == CLAST_LAW_MAW) fprintf(t, "impact speed %.17g\n", w->plan.impact_speed);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
     fprintf(t, "global damping %.17g, precision %d%s\n", d->global_damping, (int)d->precision,
             d->turn_spheres ? ", spheres turn" : "");
@@ -79,7 +80,9 @@ static void describe_materials(FILE *t, const clast_world *w) {
             fprintf(t, "pair %s %s restitution %.17g friction %.17g cohesion %.17g",
                     w->materials[i].name, w->materials[j].name, c->restitution, c->friction,
                     c->cohesion);
-            fprintf(t, " stiffness %.17g tangential %.17g\n", c->stiffness, c->tangential);
+            fprintf(t, " stiffness %.17g tangential ratio %.17g restitution %.17g", c->stiffness,
+                    c->ratio, c->tangential_restitution);
+            fprintf(t, " rolling %.17g dissipation %.17g\n", c->rolling, c->dissipation);
         }
 }
 
@@ -196,6 +199,7 @@ static void save_field(h5_file *f, const char *name, h5_type type, size_t width,
     X(history.overlap, H5_F64, 1)                                                                  \
     X(history.normal, H5_F64, 1)                                                                   \
     X(history.spring, H5_F64, 3)
+#define PLASTIC "/contacts/history.plastic" /* of a law that yields, and of no other */
 
 static void save_contacts(h5_file *f, clast_world *w) {
     records_collect(w);
@@ -204,6 +208,8 @@ static void save_contacts(h5_file *f, clast_world *w) {
     save_field(f, "/contacts/" #field, type, width, offsetof(contact_record, field), &w->records);
     RECORD_FIELDS(X)
 #undef X
+    if (clast_law_info_of(w->def.law)->yields)
+        save_field(f, PLASTIC, H5_F64, 1, offsetof(contact_record, history.plastic), &w->records);
 }
 
 static void save_parts(h5_file *f, const clast_world *w) {
@@ -303,6 +309,8 @@ static void read_contacts(h5_file *f, saved *s) {
     read_field(f, s, "/contacts/" #field, type, width, offsetof(contact_record, field));
     RECORD_FIELDS(X)
 #undef X
+    if (h5_has(f, PLASTIC))
+        read_field(f, s, PLASTIC, H5_F64, 1, offsetof(contact_record, history.plastic));
 }
 
 static void read_saved(h5_file *f, const char *path, saved *s, bool to_inherit) {

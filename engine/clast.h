@@ -60,8 +60,22 @@ typedef enum clast_law {
     CLAST_LAW_HERTZ_A00,     /* Hertz with pressure-dependent tangential stiffness, A00 1.8-1.10,
                                 1.14, 1.21; tangential spring incremental */
     CLAST_LAW_HERTZ_MINDLIN, /* Hertz-Mindlin with Tsuji's damping, S12 2.41-2.46 */
-    CLAST_LAW_LINEAR         /* linear spring-dashpot, S12 2.15-2.23; stiffness from the pair */
+    CLAST_LAW_LINEAR,        /* linear spring-dashpot, S12 2.15-2.23; stiffness from the pair */
+    CLAST_LAW_MAW,           /* the same; stiffness of the elastic energy of a Hertz contact at
+                                impact_speed, S12 2.29-2.35 */
+    CLAST_LAW_HOOKE,         /* the same; stiffness 4/3 E* R*, S12 2.36 */
+    CLAST_LAW_HERTZ_BRILLIANTOV, /* viscoelastic Hertz: restitution falls with speed, S12 2.37 */
+    CLAST_LAW_WALTON_BRAUN       /* plastic: loads at the pair's stiffness k1, unloads and loads
+                                    again at k2 = k1 / e^2; no normal dashpot, S12 2.47-2.52 */
 } clast_law;
+
+/* What is friction before it slides. */
+typedef enum clast_tangent {
+    CLAST_TANGENT_BY_LAW, /* as the source has it: viscous for Hooke, Brilliantov and Walton-Braun,
+                             else a spring (also for the linear law, where S12 2.28 is viscous) */
+    CLAST_TANGENT_SPRING, /* spring and dashpot, S12 2.33 */
+    CLAST_TANGENT_VISCOUS /* dashpot alone, S12 2.28: holds nothing at rest */
+} clast_tangent;
 
 typedef enum clast_friction_limit {
     CLAST_LIMIT_TOTAL, /* mu times spring and dashpot force, A00 1.72 */
@@ -93,6 +107,7 @@ typedef enum clast_precision {
 typedef struct clast_world_def {
     clast_vec3 gravity;         /* m/s2 */
     clast_law law;              /* one contact law per world */
+    clast_tangent tangent;      /* tangential force below the Coulomb limit */
     clast_friction_limit limit; /* what the Coulomb limit is taken of */
     clast_unloading unloading;  /* Hertz laws only */
     clast_motion motion;        /* in-plane: no velocity along plane_axis, spin about it alone */
@@ -102,7 +117,9 @@ typedef struct clast_world_def {
     double time_step;          /* s; 0 asks for the smaller of the next two limits */
     double rayleigh_fraction;  /* of the Rayleigh step, A00 1.28; in (0, 1] */
     double contact_resolution; /* steps in the shortest expected contact; >= 5 */
-    double impact_speed; /* m/s, fastest expected impact; 0 takes the fall through the domain */
+    double impact_speed; /* m/s, fastest expected impact; 0 takes the fastest body at the start
+                            after a fall through the domain. Maw's stiffness is that of this speed
+                            */
 
     clast_vec3 domain_min, domain_max; /* m; bodies stay inside */
     clast_outside outside;             /* what happens to a body whose centre leaves the domain */
@@ -118,8 +135,8 @@ typedef struct clast_world_def {
     clast_precision precision;
     bool turn_spheres; /* keep track of the orientation of single spheres, which only drawings of
                           marked ones show; costs some 7 %. Their spin is always kept */
-    uint64_t seed;  /* the only source of randomness of a run */
-    uint32_t magic; /* set by clast_world_def_default(): catches a def that was built by hand */
+    uint64_t seed;     /* the only source of randomness of a run */
+    uint32_t magic;    /* set by clast_world_def_default(): catches a def that was built by hand */
 } clast_world_def;
 
 /* Hertz-Mindlin, 3-D, guards on, Rayleigh fraction 0.2, 30 steps per contact, domain +-10 m. */
@@ -146,11 +163,20 @@ typedef struct clast_material_def {
 int clast_material_add(clast_world *w, const clast_material_def *def);
 
 typedef struct clast_pair_def {
-    double restitution;      /* measured rebound of a single collision, in (0.01, 1] */
+    double restitution;      /* measured rebound of a single collision, in (0.01, 1]; Brilliantov:
+                                at reference_speed, not used where dissipation is given */
     double friction;         /* Coulomb coefficient, >= 0 */
     double cohesion;         /* N, C of A00 1.71 in the friction limit; >= 0 */
-    double stiffness;        /* N/m, linear law only; > 0 */
-    double tangential_ratio; /* k_t / k_n, linear law only; 0 reads as 2/7 */
+    double stiffness;        /* N/m, laws linear and Walton-Braun (loading) only; > 0 */
+    double tangential_ratio; /* k_t / k_n, laws that are linear in the overlap; 0 reads as 2/7 with
+                                a tangential spring, as 1 without */
+    double tangential_restitution; /* e_t of S12 2.34-2.35 for the tangential dashpot, in (0, 1],
+                                      not for Brilliantov; 0 takes the normal damping ratio */
+    double rolling_friction; /* mu_r of S12 2.53, a couple of mu_r F_n R* against the relative spin;
+                                >= 0 */
+    double dissipation;      /* s, A of S12 2.37, Brilliantov only (3/2 of the A of Brilliantov et
+                                al.); 0 solves it for restitution at reference_speed */
+    double reference_speed;  /* m/s, Brilliantov only; 0 reads as the impact speed of the world */
 } clast_pair_def;
 
 /* Every pair of materials that can touch must be set before the first step. */
@@ -305,7 +331,8 @@ typedef struct clast_energy {
     double kinetic, rotational; /* J */
     double gravity;             /* J, against the domain's lowest corner, bodies present */
     double elastic;             /* J, in contacts */
-    double damping, friction;   /* J, dissipated so far in dashpots and by sliding */
+    double damping, friction;   /* J, dissipated so far: by normal dashpots and yielding; by
+                                   tangential forces and rolling friction */
     double global;              /* J, dissipated so far by global damping */
     double wall_work;           /* J, done so far by moving walls on the bodies */
     double removed;             /* J, carried off by bodies that left */
@@ -319,7 +346,7 @@ clast_energy clast_world_energy(clast_world *w);
 
 typedef struct clast_part_load {
     clast_vec3 force;  /* N, of the bodies on the part, now */
-    clast_vec3 torque; /* N m, about the world origin */
+    clast_vec3 torque; /* N m, about the world origin, of these forces (no rolling couples) */
     double work;       /* J, done by the part on the bodies so far */
 } clast_part_load;
 
@@ -406,10 +433,30 @@ void clast_sincos(double angle, double *sine, double *cosine);
 clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle);
 
 /* Damping ratio (c over critical, at the tangent stiffness) whose single collision, cut off where
- * the contact force would pull, rebounds with restitution e in (0.01, 1]. Solved with GSL. */
+ * the contact force would pull, rebounds with restitution e in (0.01, 1]. Solved with GSL.
+ * Brilliantov: the number A (k^2 v / m^2)^(1/5) with k = 4/3 E* sqrt(R*) and impact speed v, which
+ * the restitution depends on alone. Walton-Braun, which has no normal dashpot: that of the linear
+ * law, for its tangential one. */
 double clast_damping_ratio(clast_law law, double restitution);
 
 /* The restitution that a given damping ratio yields: inverse of the above. */
 double clast_restitution(clast_law law, double damping_ratio);
+
+/* A of S12 2.37 (s) with which a collision at `speed` (m/s) of effective mass (kg), effective
+ * radius (m) and modulus E* (Pa) rebounds with restitution e in (0.01, 1]; all > 0. */
+double clast_dissipation(double restitution, double speed, double mass, double radius,
+                         double e_star);
+
+/* What a law is and which numbers of a pair it reads. */
+typedef struct clast_law_info {
+    const char *name; /* as scene files have it */
+    bool linear;      /* force linear in the overlap: the Rayleigh step does not bind */
+    bool stiffness;   /* reads stiffness; else it follows from the materials */
+    bool dissipation; /* reads dissipation and reference_speed */
+    bool yields;      /* keeps a plastic overlap */
+    bool spring;      /* its own tangential force has a spring */
+} clast_law_info;
+
+const clast_law_info *clast_law_info_of(clast_law law);
 
 #endif

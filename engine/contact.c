@@ -136,14 +136,17 @@ double contact_smaller_radius(const clast_world *w, const contact_place *at) {
     return ra < rb ? ra : rb;
 }
 
+static double effective_mass(const clast_world *w, const contact_place *at) {
+    size_t a = (size_t)at->list->a[at->index], b = (size_t)at->list->b[at->index];
+    double ma = w->rows.motion[body_of_sphere(w, a)].mass;
+    if (at->with_wall) return ma;
+    double mb = w->rows.motion[body_of_sphere(w, b)].mass;
+    return ma * mb / (ma + mb);
+}
+
 stored_energy contact_stored_energy(const clast_world *w, const contact_place *at) {
-    const pair_coef *k = coef_of(w, at);
     history h = contact_history(w, at->list, at->index, at->with_wall);
-    double s2 = v3_dot(h.spring, h.spring), d = h.overlap;
-    if (w->def.law == CLAST_LAW_LINEAR)
-        return (stored_energy){0.5 * k->stiffness * d * d, 0.5 * s2 / k->tangential};
-    double a = sqrt(effective_radius(w, at) * d);
-    return (stored_energy){8.0 / 15.0 * k->e_star * a * d * d, 0.5 * s2 / (8 * k->g_star * a)};
+    return law_stored_energy(w, coef_of(w, at), effective_radius(w, at), effective_mass(w, at), &h);
 }
 
 typedef struct energy_sums {

@@ -20,6 +20,8 @@ typedef struct pass {
     contact_report *report;
     contact_mode mode;
     bool with_walls, far; /* far: rows do not fit into the second-level cache */
+    bool around;          /* something of "around the law" is needed */
+    bool yields, springs, rolls;
     law_need need;
     law_choice choice;
     contact_tally tally;
@@ -34,6 +36,23 @@ static void fill_coefficients(batch *b, int i, const pair_coef *c) {
     b->k_normal[i] = (real)c->k_normal, b->k_tangent[i] = (real)c->k_tangent;
     b->c_normal[i] = (real)c->c_normal, b->c_tangent[i] = (real)c->c_tangent;
     b->friction[i] = (real)c->friction, b->cohesion[i] = (real)c->cohesion;
+}
+
+/* From the stiffness of a pair to that of each contact. */
+static void scale_stiffness(batch *b, clast_law law, int count) {
+    if (law == CLAST_LAW_HOOKE) {
+#pragma omp simd
+        for (int i = 0; i < count; i++) hooke_lane(b, i);
+    }
+    if (law == CLAST_LAW_MAW) {
+#pragma omp simd
+        for (int i = 0; i < count; i++) maw_lane(b, i);
+    }
+}
+
+/* Of spheres, or of spheres and walls, that are all alike. */
+static bool is_uniform(const pass *p) {
+    return p->with_walls ? p->w->special.one_wall : p->w->special.one_kind;
 }
 
 /* As many lanes as the list can fill. */
@@ -54,6 +73,7 @@ static void fill_constants(pass *p) {
         b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
         for (int k = 0; k < 3; k++) b->wb[k][i] = b->ob[k][i] = 0;
     }
+    if (is_uniform(p)) scale_stiffness(b, w->def.law, lanes);
 }
 
 /* ---- rows into columns ----------------------------------------------------------------------- */
@@ -179,7 +199,7 @@ static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count) {
         const motion_row *mb = &w->rows.motion[body_of_sphere(w, sb)];
         p->b.ra[i] = w->rows.centre[sa].radius, p->b.rb[i] = w->rows.centre[sb].radius;
         p->b.ma[i] = (real)ma->mass, p->b.mb[i] = (real)mb->mass;
-        if (w->special.one_material) continue;
+        if (w->special.one_material && !p->around) continue;
         fill_coefficients(&p->b, i, &w->coefs[ma->material * w->material_count + mb->material]);
     }
 }
@@ -307,7 +327,9 @@ static void pad(pass *p, int count, int padded) {
 
 static history_lanes history_at(const contact_list *l, size_t begin) {
     real *const *c = (real *const *)l->column;
-    return (history_lanes){c[0] + begin, c[1] + begin, c[2] + begin, c[3] + begin, c[4] + begin};
+    real *plastic = c[HISTORY_PLASTIC] ? c[HISTORY_PLASTIC] + begin : NULL;
+    return (history_lanes){c[0] + begin, c[1] + begin, c[2] + begin,
+                           c[3] + begin, c[4] + begin, plastic};
 }
 
 /* What the lanes could not tell. */
@@ -342,6 +364,76 @@ LANE_INLINE void touch_spheres(pass *p, int padded, law_need need) {
     for (int i = 0; i < padded; i++) effective_lane(b, i);
 }
 
+/* ---- around the law --------------------------------------------------------------------------
+ * What few worlds need, in loops of its own: the kernels of all others stay as they are, and these
+ * are not copied with them. */
+
+static const pair_coef *coef_at(const pass *p, size_t at) {
+    const clast_world *w = p->w;
+    int32_t a = p->list->a[at], b = p->list->b[at];
+    int64_t own = w->rows.motion[body_of_sphere(w, (size_t)a)].material;
+    int64_t other = p->with_walls ? w->walls[b].def.material
+                                  : w->rows.motion[body_of_sphere(w, (size_t)b)].material;
+    return &w->coefs[own * w->material_count + other];
+}
+
+static double turning_of(const clast_world *w, int32_t sphere) {
+    return w->shapes[w->bodies.shape[body_of_sphere(w, (size_t)sphere)]].turning;
+}
+
+static void load_around(pass *p, size_t begin, int count, int padded) {
+    const clast_world *w = p->w;
+    batch *b = &p->b;
+    for (int i = 0; i < count; i++) {
+        const pair_coef *c = coef_at(p, begin + (size_t)i);
+        double ta = turning_of(w, p->list->a[begin + (size_t)i]);
+        double tb = p->with_walls ? 0 : turning_of(w, p->list->b[begin + (size_t)i]);
+        b->yield[i] = (real)c->yield, b->rolling[i] = (real)c->rolling;
+        b->hold[i] = (real)((p->with_walls ? ta : ta * tb / (ta + tb)) / w->dt);
+    }
+    for (int i = count; i < padded; i++) b->yield[i] = b->rolling[i] = b->hold[i] = 0;
+}
+
+static void before_law(pass *p, size_t begin, int count, int padded) {
+    clast_law law = p->w->def.law;
+    batch *b = &p->b;
+    if (!is_uniform(p)) scale_stiffness(b, law, count);
+    if (law == CLAST_LAW_HERTZ_BRILLIANTOV) {
+#pragma omp simd
+        for (int i = 0; i < padded; i++) viscoelastic_lane(b, i);
+    }
+    if (p->rolls || p->yields) load_around(p, begin, count, padded);
+    if (!p->yields) return;
+    history_lanes h = history_at(p->list, begin);
+#pragma omp simd
+    for (int i = 0; i < padded; i++) yield_before(b, h, i);
+}
+
+LANE_INLINE void roll(batch *b, history_lanes h, int padded, law_need need) {
+#pragma omp simd
+    for (int i = 0; i < padded; i++) rolling_lane(b, h, i, need);
+}
+
+static void after_law(pass *p, size_t begin, int padded) {
+    history_lanes h = history_at(p->list, begin);
+    batch *b = &p->b;
+    if (p->yields) {
+#pragma omp simd
+        for (int i = 0; i < padded; i++) yield_after(b, h, i);
+    }
+    if (!p->rolls) return;
+    if (p->need.flat && p->need.equal)
+        roll(b, h, padded, (law_need){.flat = true, .equal = true});
+    else if (p->need.flat)
+        roll(b, h, padded, (law_need){.flat = true});
+    else if (p->need.equal)
+        roll(b, h, padded, (law_need){.equal = true});
+    else
+        roll(b, h, padded, (law_need){.flat = false});
+}
+
+/* ---- the law --------------------------------------------------------------------------------- */
+
 LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
     batch *b = &p->b;
     law_choice choice = p->choice;
@@ -350,7 +442,7 @@ LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
 #pragma omp simd
     for (int i = 0; i < padded; i++) law_normal(b, h, i, choice, need);
     prefetch_piece(p, begin, 2, need);
-    if (need.tangent) {
+    if (need.tangent && p->springs) {
 #pragma omp simd
         for (int i = 0; i < padded; i++) law_spring(b, h, i, choice, need);
     }
@@ -512,7 +604,9 @@ LANE_INLINE void run_list(pass *p, law_need need) {
         else
             touch_spheres(p, padded, need);
         prefetch_piece(p, begin, 0, need);
+        if (p->around) before_law(p, begin, count, padded);
         run_lanes(p, begin, padded, need);
+        if (p->around) after_law(p, begin, padded);
         prefetch_piece(p, begin, 4, need);
         tally_lanes(p, padded);
         prefetch_piece(p, begin, 5, need);
@@ -561,7 +655,8 @@ static void run(pass *p) {
 }
 
 static law_choice choice_of(const clast_world *w, contact_mode mode) {
-    bool as_printed = w->def.unloading == CLAST_UNLOAD_AS_PRINTED && w->def.law != CLAST_LAW_LINEAR;
+    bool linear = clast_law_info_of(w->def.law)->linear;
+    bool as_printed = w->def.unloading == CLAST_UNLOAD_AS_PRINTED && !linear;
     bool again = mode != CONTACTS_ADVANCE, mindlin = w->def.law == CLAST_LAW_HERTZ_MINDLIN;
     bool total = w->def.limit == CLAST_LIMIT_TOTAL;
     return (law_choice){.dt = again ? 0 : (real)w->contact_dt,
@@ -581,8 +676,12 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     p.far = w->bodies.count > 40000;
     memset(p.force[2], 0, 2 * sizeof p.force[2]); /* what a flat scene does not fill */
     memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
-    p.need = (law_need){w->def.law == CLAST_LAW_LINEAR, k->tangent, k->flat, k->clumps,
-                        k->one_kind && !k->clumps};
+    const clast_law_info *law = clast_law_info_of(w->def.law);
+    p.yields = law->yields, p.springs = k->spring, p.rolls = k->rolling;
+    p.around = p.yields || p.rolls || w->def.law == CLAST_LAW_HERTZ_BRILLIANTOV ||
+               w->def.law == CLAST_LAW_HOOKE || w->def.law == CLAST_LAW_MAW;
+    bool equal = k->one_kind && !k->clumps && !k->rolling; /* that needs both spins */
+    p.need = (law_need){law->linear, k->tangent, k->flat, k->clumps, equal};
     p.choice = choice_of(w, mode);
     p.tally = (contact_tally){.contacts = 0};
     p.list = &s->contacts, p.with_walls = false;

@@ -1,11 +1,15 @@
 /* contact_law.h - the contact laws, one lane at a time: touch and history in, force out.
  *
  *   elastic   Hertz   F = 4/3 E* a d, a = sqrt(R* d)             A00 1.1-1.4; k_n = 2 E* a 1.8-1.9
- *             linear  F = k d                                    S12 2.15
+ *             linear  F = k d                                    S12 2.15; k: Maw 2.29, Hooke 2.36
+ *             plastic F = k2 (d - p), p >= (1 - k1/k2) d grows   S12 2.47-2.50
  *   dashpot   c_n = 2 beta sqrt(k_n m*), c_t likewise            A00 1.21, beta by restitution.c
+ *             c_n = 4/3 E* A a                                   S12 2.37
  *   no pull   F_n = max(0, elastic + dashpot)                    S12 2.23
  *   tangent   dS = -k_t v_t dt, k_t = 8 G* a                     A00 1.14 (equal to S12 2.44)
+ *             or no spring                                       S12 2.28
  *   Coulomb   |S|, |S - c_t v_t| <= mu F_n + C                   A00 1.71-1.73
+ *   rolling   M = -mu_r F_n R* w / |w|, w the relative spin      S12 2.53 with its erratum
  *
  * Energy cannot be made: the spring is clipped before the dashpot is added (clipping the sum alone
  * can leave a spring longer than the limit), and it shrinks with its stiffness when the load falls.
@@ -17,6 +21,7 @@
 #define CLAST_CONTACT_LAW_H
 
 #include "engine/lanes.h"
+#include "engine/numbers.h"
 #include "engine/world.h"
 
 /* Precision of velocities, springs and forces; positions, overlaps and sums are always double. */
@@ -69,11 +74,16 @@ typedef struct batch {
     real f[3][LANES];                                          /* N, on a */
     real ta[3][LANES], tb[3][LANES];     /* N m, on a and on b about their centres of mass */
     real elastic[LANES], dashpot[LANES]; /* J, work of the normal force over the last step */
+    /* of laws that yield: pair_coef, then growth of the plastic overlap (m) and the part of it at
+     * an onset, and the force before (N) */
+    real yield[LANES], growth[LANES], onset[LANES], before[LANES];
+    real rolling[LANES], hold[LANES]; /* pair_coef; N m s, couple over spin below its limit */
 } batch;
 
 /* History of the contacts of a batch, in place. */
 typedef struct history_lanes {
     real *restrict overlap, *restrict normal, *restrict sx, *restrict sy, *restrict sz;
+    real *restrict plastic; /* NULL but in laws that yield */
 } history_lanes;
 
 typedef struct three {
@@ -126,6 +136,28 @@ LANE_INLINE void effective_lane(batch *b, int i) {
     b->radius[i] = (real)(ra * rb / (ra + rb));
     b->mass[i] = b->ma[i] * b->mb[i] / (b->ma[i] + b->mb[i]);
     b->per_small[i] = 1 / (ra < rb ? ra : rb);
+}
+
+/* Stiffnesses of a pair, and the dashpots that go with their roots, become those of a contact. */
+LANE_INLINE void scale_lane(batch *b, int i, double scale) {
+    real k = (real)scale, c = (real)sqrt(scale);
+    b->k_normal[i] *= k, b->k_tangent[i] *= k;
+    b->c_normal[i] *= c, b->c_tangent[i] *= c;
+}
+
+/* law_scale() of S12 2.36 and 2.29. */
+LANE_INLINE void hooke_lane(batch *b, int i) {
+    scale_lane(b, i, (double)b->radius[i]);
+}
+
+LANE_INLINE void maw_lane(batch *b, int i) {
+    double radius = (double)b->radius[i];
+    scale_lane(b, i, number_fifth_root_lane(radius * radius * (double)b->mass[i]));
+}
+
+/* A dashpot per a instead of sqrt(a m): a in the place of m. */
+LANE_INLINE void viscoelastic_lane(batch *b, int i) {
+    b->mass[i] = REAL_SQRT(b->radius[i] * b->depth[i]);
 }
 
 /* ---- the law --------------------------------------------------------------------------------- */
@@ -250,6 +282,55 @@ LANE_INLINE void law_force(batch *b, history_lanes h, int i, law_need need) {
     three f = add3(need, f_t, h.normal[i], n);
     store3(b->f, i, f);
     store_torques(b, i, n, f, f_t, need);
+}
+
+/* ---- around the law: worlds that do not ask for it do not come here -------------------------- */
+
+/* Plastic overlap, S12 2.47-2.50: F = k2 (d - p) where p, the overlap at which unloading ends, is
+ * at least (1 - k1/k2) d. That is k1 d wherever d is the largest so far, and k2 on the way back and
+ * forth below. (2.47 as printed goes back to k1 d whenever the spheres approach: a jump, which
+ * makes energy.) The linear law sees d - p in the place of d; p lasts as long as the spheres
+ * touch. */
+LANE_INLINE void yield_before(batch *b, history_lanes h, int i) {
+    real overlap = b->depth[i], old = h.plastic[i], old_rest = h.overlap[i] - old;
+    real grown = b->yield[i] * overlap;
+    real plastic = overlap > 0 ? (grown > old ? grown : old) : 0, rest = overlap - plastic;
+    b->growth[i] = overlap > 0 ? plastic - old : 0;
+    b->onset[i] = old_rest > 0 ? 0 : b->growth[i];
+    b->before[i] = h.normal[i];
+    b->depth[i] = rest > 0 ? rest : 0;
+    h.overlap[i] = old_rest > 0 ? old_rest : 0;
+    h.plastic[i] = plastic;
+}
+
+/* The law has booked the way of d - p (at an onset, that of d): the way of p is lost. */
+LANE_INLINE void yield_after(batch *b, history_lanes h, int i) {
+    double overlap = b->overlap[i];
+    real mean = (real)0.5 * (b->before[i] + h.normal[i]);
+    b->elastic[i] += mean * b->onset[i];
+    b->dashpot[i] = -mean * b->growth[i];
+    h.overlap[i] = (real)(overlap > 0 ? overlap : 0);
+}
+
+/* Rolling friction: a couple against the relative spin, equal and opposite on the two. Up to a spin
+ * of mu_r F_n R* / hold it grows with the spin, and never so much that it would turn round within a
+ * step (law.c): what does not spin is not driven, and what spins comes to rest and makes no energy.
+ */
+LANE_INLINE void rolling_lane(batch *b, history_lanes h, int i, law_need need) {
+    three w = {0, 0, need.equal ? b->wa[2][i] : b->wa[2][i] - b->wb[2][i]};
+    if (!need.flat) {
+        w.x = need.equal ? b->wa[0][i] : b->wa[0][i] - b->wb[0][i];
+        w.y = need.equal ? b->wa[1][i] : b->wa[1][i] - b->wb[1][i];
+    }
+    real size = REAL_SQRT(w.x * w.x + w.y * w.y + w.z * w.z);
+    real most = b->rolling[i] * h.normal[i] * b->radius[i], hold = b->hold[i];
+    real couple = size * hold > most ? most / size : hold;
+    couple = h.normal[i] > 0 ? couple : 0;
+    for (int k = need.flat ? 2 : 0; k < 3; k++) {
+        real m = couple * (k == 0 ? w.x : k == 1 ? w.y : w.z);
+        b->ta[k][i] -= m;
+        if (!need.equal) b->tb[k][i] += m;
+    }
 }
 
 #endif

@@ -29,6 +29,7 @@ static void add_contact(const clast_world *w, const contact_place *at, void *con
     uint64_t h = mix(mix(0xcbf29ce484222325u, r.a), r.b);
     h = mix(mix(h, (uint64_t)r.sphere_a), (uint64_t)r.sphere_b);
     h = mix_double(mix_double(h, r.history.overlap), r.history.normal);
+    if (w->history_columns > HISTORY_PLASTIC) h = mix_double(h, r.history.plastic);
     *(uint64_t *)context += mix(mix_vec(h, r.history.spring), 0);
 }
 

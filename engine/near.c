@@ -98,7 +98,7 @@ static void forget_found(clast_world *w, found_list *f) {
 
 static void take_histories(clast_world *w) {
     carry_drop_places(w);
-    for (int k = 0; k < HISTORY_COLUMNS; k++) {
+    for (int k = 0; k < w->history_columns; k++) {
         column_order o = {w, k};
         parallel_run(w->threads, fill_share, &o);
         carry_drop_column(w, k);
@@ -131,7 +131,7 @@ static void push_back(clast_world *w, refresh *r, size_t room) {
 /* One entry; a call of memmove() for each number would cost more than all the rest. */
 static void move_one(const clast_world *w, contact_list *l, size_t to, size_t from) {
     l->a[to] = l->a[from], l->b[to] = l->b[from];
-    for (int k = 0; k < HISTORY_COLUMNS; k++) {
+    for (int k = 0; k < w->history_columns; k++) {
         if (w->def.precision == CLAST_PRECISION_MIXED)
             ((float *)l->column[k])[to] = ((float *)l->column[k])[from];
         else

@@ -13,17 +13,20 @@ double number_power_of_two_above(double x) {
 }
 
 double number_fifth_root(double x) {
-    CLAST_ASSERT(x > 0 && x < 1e300);
+    CLAST_ASSERT(x > 1e-300 && x < 1e300);
+    return number_fifth_root_lane(x);
+}
+
+/* ln(2^n f) = n ln 2 + 2 (z + z^3/3 + ...) with z = (f - 1) / (f + 1), f in [sqrt(1/2), sqrt(2)]:
+ * z^2 < 0.0295, so the first term left out is below 1e-18. */
+double number_log(double x) {
+    CLAST_ASSERT(x > 1e-300 && x < 1e300);
     int exponent;
-    frexp(x, &exponent);
-    double root = ldexp(1.0, exponent / 5 + 1);
-    for (int i = 0; i < 100; i++) {
-        double fourth = root * root * root * root;
-        double next = root - (root - x / fourth) / 5;
-        if (fabs(next - root) <= 1e-16 * root) break;
-        root = next;
-    }
-    return root;
+    double fraction = frexp(x, &exponent); /* exact, in [1/2, 1) */
+    if (fraction < 0.70710678118654752440) fraction *= 2, exponent--;
+    double z = (fraction - 1) / (fraction + 1), square = z * z, sum = 0;
+    for (int k = 23; k >= 1; k -= 2) sum = 1.0 / k + square * sum;
+    return exponent * 0.69314718055994530942 + 2 * z * sum;
 }
 
 void clast_sincos(double angle, double *sine, double *cosine) {

@@ -1,12 +1,15 @@
 /* The damping ratio that gives a wanted rebound.
  *
  * One collision in units of mass 1, stiffness 1 and impact speed 1:
- *     linear  x'' = -x       - 2 beta x'
- *     Hertz   x'' = -x^(3/2) - 2 beta sqrt(3/2) x^(1/4) x'      (c = 2 beta sqrt(k_n m), k_n =
- * dF/dx) cut off where the force would pull (S12 2.23), so the restitution does not depend on the
- * speed. The closed forms S12 2.21 and A00 1.20 leave the cut-off out and rebound too fast (FACTS
- * 1). Fixed steps of a GSL Runge-Kutta scheme and Brent's bracketing: arithmetic and sqrt only, so
- * the result has the same bits on every machine. The only file that knows GSL. */
+ *     linear       x'' = -x       - 2 beta x'
+ *     Hertz        x'' = -x^(3/2) - 2 beta sqrt(3/2) x^(1/4) x'   (c = 2 beta sqrt(k_n m), k_n =
+ *                                                                  dF/dx)
+ *     Brilliantov  x'' = -x^(3/2) - A x^(1/2) x'                  (A in units of time)
+ * cut off where the force would pull (S12 2.23). So the restitution does not depend on the speed,
+ * but for Brilliantov's law, where the unit of time does. The closed forms S12 2.21 and A00 1.20
+ * leave the cut-off out and rebound too fast (FACTS 1). Fixed steps of a GSL Runge-Kutta scheme and
+ * Brent's bracketing: arithmetic and sqrt only, so the result has the same bits on every machine.
+ * The only file that knows GSL. */
 #include <math.h>
 
 #include <gsl/gsl_errno.h>
@@ -19,17 +22,18 @@
 enum { STEPS_PER_CONTACT = 4000, STEPS_MAX = 4000000 };
 
 typedef struct collision {
-    bool hertz;
+    bool linear, viscoelastic;
     double beta;
 } collision;
 
 static double spring(const collision *c, double x) {
-    return !c->hertz ? x : x > 0 ? x * sqrt(x) : 0;
+    return c->linear ? x : x > 0 ? x * sqrt(x) : 0;
 }
 
 static double dashpot(const collision *c, double x) {
-    if (!c->hertz) return 2 * c->beta;
-    return x > 0 ? 2 * c->beta * sqrt(1.5 * sqrt(x)) : 0;
+    if (c->linear) return 2 * c->beta;
+    if (!(x > 0)) return 0;
+    return c->viscoelastic ? c->beta * sqrt(x) : 2 * c->beta * sqrt(1.5 * sqrt(x));
 }
 
 static double force(const collision *c, const double y[2]) {
@@ -62,7 +66,8 @@ static double speed_at_release(const gsl_odeiv2_system *system, gsl_odeiv2_step 
 
 double clast_restitution(clast_law law, double damping_ratio) {
     CLAST_ASSERT(damping_ratio >= 0);
-    collision c = {law != CLAST_LAW_LINEAR, damping_ratio};
+    const clast_law_info *info = clast_law_info_of(law);
+    collision c = {info->linear, info->dissipation, damping_ratio};
     if (damping_ratio == 0) return 1;
     gsl_odeiv2_system system = {rates, NULL, 2, &c};
     gsl_odeiv2_step *stepper = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk4, 2);

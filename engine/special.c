@@ -40,10 +40,16 @@ static bool is_single(const shape *s) {
     return s->spheres == 1 && s->centre[0].x == 0 && s->centre[0].y == 0 && s->centre[0].z == 0;
 }
 
+static bool has_rolling(const clast_world *w) {
+    for (int i = 0; i < w->material_count * w->material_count; i++)
+        if (w->coefs[i].set && w->coefs[i].rolling > 0) return true;
+    return false;
+}
+
 static bool has_tangent(const clast_world *w) {
     for (int i = 0; i < w->material_count * w->material_count; i++)
         if (w->coefs[i].set && (w->coefs[i].friction > 0 || w->coefs[i].cohesion > 0)) return true;
-    return false;
+    return has_rolling(w); /* what turns spheres */
 }
 
 /* A wall that can push in the plane of motion alone, seen from spheres at height z of its axis. */
@@ -74,8 +80,11 @@ static bool is_flat(const clast_world *w) {
 
 /* Axes must be set. */
 void special_choose(clast_world *w) {
+    if (!w->prepared) law_prepare(w);
     const shape *first = &w->shapes[0];
     speciality k = {.tangent = has_tangent(w),
+                    .spring = law_has_spring(w),
+                    .rolling = has_rolling(w),
                     .oriented = w->def.turn_spheres,
                     .one_shape = w->shape_count == 1,
                     .round = true,
@@ -101,30 +110,27 @@ void special_choose(clast_world *w) {
 /* ---- quanta of the loads ----------------------------------------------------------------------
  */
 
-static double elastic_force(const clast_world *w, const pair_coef *c, double radius,
-                            double overlap) {
-    if (w->def.law == CLAST_LAW_LINEAR) return c->k_normal * overlap;
-    return 2.0 / 3.0 * c->k_normal * sqrt(radius * overlap) * overlap;
-}
-
 /* Eight times the elastic force at twice the overlap at which the guard stops the run. What is
  * larger is caught as a failure. Sums of four such forces fit; at rest, a sphere of steel or glass
  * has its weight resolved to better than 1e-11. */
 void special_choose_scale(clast_world *w) {
-    double radius = 0, weight = 0, largest = 0;
+    double radius = 0, mass = 0, weight = 0, largest = 0, rolling = 0;
     for (int i = 0; i < w->shape_count; i++) {
         const shape *s = &w->shapes[i];
         for (int e = 0; e < s->spheres; e++) radius = fmax(radius, s->radius[e]);
+        mass = fmax(mass, s->mass);
         weight = fmax(weight, s->mass * v3_norm(w->def.gravity));
     }
     bool stops = w->def.guards == CLAST_GUARD_STOP && w->def.max_overlap < 1;
     double overlap = (stops ? 2 * w->def.max_overlap : 2) * radius;
     for (int i = 0; i < w->material_count * w->material_count; i++) {
         const pair_coef *c = &w->coefs[i];
-        if (c->set) largest = fmax(largest, elastic_force(w, c, radius, overlap) + c->cohesion);
+        if (!c->set) continue;
+        largest = fmax(largest, law_elastic_force(w, c, radius, mass, overlap) + c->cohesion);
+        rolling = fmax(rolling, c->rolling);
     }
     double force = number_power_of_two_above(fmax(8 * largest, 1e-100) + 100 * weight);
-    double arm = number_power_of_two_above(w->largest_bound);
+    double arm = number_power_of_two_above(w->largest_bound * (1 + rolling));
     w->load_scale = (load_scale){.force = 0x1p61 / force,
                                  .torque = 0x1p61 / (force * arm),
                                  .force_quantum = force * 0x1p-61,

@@ -23,7 +23,7 @@ double timestep_rayleigh(const clast_world *w) {
 
 /* Fastest impact to be expected: asked for, or the start's fastest plus the fall through the
  * domain. */
-static double impact_speed(const clast_world *w) {
+double timestep_impact_speed(const clast_world *w) {
     if (w->def.impact_speed > 0) return w->def.impact_speed;
     vec3 d = v3_sub(w->def.domain_max, w->def.domain_min), g = w->def.gravity;
     double fastest2 = 0;
@@ -43,12 +43,15 @@ typedef struct stiffest {
 } stiffest;
 
 /* Hertz: T = 2.943 (15 m / (16 sqrt(R) E))^(2/5) v^(-1/5) (S12 2.41 with its constant worked out),
- * overlap (15 m v^2 / (16 sqrt(R) E))^(2/5); linear: pi sqrt(m / k) (S12 2.22 without damping). */
+ * overlap (15 m v^2 / (16 sqrt(R) E))^(2/5); linear: pi sqrt(m / k) (S12 2.22 without damping),
+ * half of it with either stiffness of a law that yields (S12 2.52). */
 static stiffest contact_of(const clast_world *w, double mass, double radius, const pair_coef *c,
                            double v) {
-    if (w->def.law == CLAST_LAW_LINEAR) {
-        double omega = sqrt(c->stiffness / mass);
-        return (stiffest){NUMBER_PI / omega, 2 / omega};
+    const clast_law_info *law = clast_law_info_of(w->def.law);
+    if (law->linear) {
+        double omega = sqrt(c->k_normal * law_scale(w->def.law, radius, mass) / mass);
+        double loading = law->yields ? sqrt(c->stiffness / mass) : omega;
+        return (stiffest){NUMBER_PI / 2 / loading + NUMBER_PI / 2 / omega, 2 / omega};
     }
     double q = 15 * mass / (16 * sqrt(radius) * c->e_star);
     double overlap = number_fifth_root(q * q * v * v * v * v);
@@ -56,45 +59,18 @@ static stiffest contact_of(const clast_world *w, double mass, double radius, con
     return (stiffest){2.9432751 * overlap / v, 2 * sqrt(mass / k_n)};
 }
 
-static void keep_least(stiffest *least, stiffest s) {
+static void keep_least(const clast_world *w, const pair_coef *c, double mass, double radius,
+                       void *context) {
+    stiffest *least = context, s = contact_of(w, mass, radius, c, w->plan.impact_speed);
     if (s.duration < least->duration) least->duration = s.duration;
     if (s.critical < least->critical) least->critical = s.critical;
 }
 
-static double largest_radius(const shape *s) {
-    double r = 0;
-    for (int i = 0; i < s->spheres; i++) r = s->radius[i] > r ? s->radius[i] : r;
-    return r;
-}
-
-/* Over all pairs of shapes and all shapes with all walls. A whole body's mass counts at each
- * contact; arms and inertia make contacts lighter and steps shorter, by up to the ratio of masses.
- */
-static stiffest stiffest_contact(const clast_world *w, double v) {
-    stiffest least = {INFINITY, INFINITY};
-    for (int i = 0; i < w->shape_count; i++) {
-        const shape *a = &w->shapes[i];
-        for (int j = 0; j <= i; j++) {
-            const shape *b = &w->shapes[j];
-            const pair_coef *c = &w->coefs[a->material * w->material_count + b->material];
-            double ra = largest_radius(a), rb = largest_radius(b);
-            if (c->set)
-                keep_least(&least, contact_of(w, a->mass * b->mass / (a->mass + b->mass),
-                                              ra * rb / (ra + rb), c, v));
-        }
-        for (int l = 0; l < w->wall_count; l++) {
-            const pair_coef *c =
-                &w->coefs[a->material * w->material_count + w->walls[l].def.material];
-            if (c->set) keep_least(&least, contact_of(w, a->mass, largest_radius(a), c, v));
-        }
-    }
-    return least;
-}
-
+/* Needs law_prepare(). */
 clast_status timestep_choose(clast_world *w) {
     clast_plan *p = &w->plan;
-    p->impact_speed = impact_speed(w);
-    stiffest s = stiffest_contact(w, p->impact_speed);
+    stiffest s = {INFINITY, INFINITY};
+    law_each_contact(w, keep_least, &s);
     p->rayleigh_step = timestep_rayleigh(w);
     p->contact_time = s.duration;
     p->critical_step = s.critical;
@@ -102,7 +78,8 @@ clast_status timestep_choose(clast_world *w) {
     if (w->dt == 0) {
         double a = w->def.rayleigh_fraction * p->rayleigh_step;
         double b = s.duration / w->def.contact_resolution;
-        if (w->def.law == CLAST_LAW_LINEAR) a = b; /* its stiffness is not that of the material */
+        bool by_contact = clast_law_info_of(w->def.law)->linear; /* waves know nothing of it */
+        if (by_contact) a = b;
         w->dt = a < b ? a : b;
     }
     if (!(w->dt > 0 && w->dt < 1e6))

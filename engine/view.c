@@ -145,13 +145,15 @@ const clast_world_def *clast_world_definition(const clast_world *w) {
 
 /* What was picked, in words. */
 static const char *kernel_name(const clast_world *w) {
-    static _Thread_local char name[160];
+    static _Thread_local char name[200];
     const speciality *k = &w->special;
     const char *motion = w->def.motion != CLAST_MOTION_IN_PLANE ? "3-D motion"
                          : k->flat                              ? "in-plane motion, one layer"
                                                                 : "in-plane motion";
-    snprintf(name, sizeof name, "%s%s, %s%s%s", k->clumps ? "clumps" : "spheres",
-             k->one_kind ? " of one kind" : "", motion, k->tangent ? "" : ", no friction",
+    const char *friction = !k->tangent ? ", no friction" : k->spring ? "" : ", viscous friction";
+    snprintf(name, sizeof name, "%s%s, %s%s%s%s", k->clumps ? "clumps" : "spheres",
+             k->one_kind ? " of one kind" : "", motion, friction,
+             k->rolling ? ", rolling friction" : "",
              w->def.precision == CLAST_PRECISION_MIXED ? ", mixed precision" : "");
     return name;
 }

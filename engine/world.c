@@ -55,6 +55,7 @@ static const char *fault_of(const clast_world_def *d) {
     if (!isfinite(d->skin)) return "skin is not finite";
     if (d->precision != CLAST_PRECISION_DOUBLE && d->precision != CLAST_PRECISION_MIXED)
         return "precision is not one of the two";
+    if ((unsigned)d->tangent > CLAST_TANGENT_VISCOUS) return "tangent is not one of the three";
     if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
     return NULL;
 }
@@ -66,6 +67,7 @@ clast_world *clast_world_new(const clast_world_def *def) {
     clast_world *w = calloc(1, sizeof *w);
     CLAST_ASSERT(w);
     w->def = *def;
+    w->history_columns = clast_law_info_of(def->law)->yields ? HISTORY_COLUMNS : HISTORY_PLASTIC;
     w->counters.bytes = sizeof *w;
     return w;
 }
@@ -133,15 +135,28 @@ int clast_material_add(clast_world *w, const clast_material_def *def) {
     return n;
 }
 
+static bool is_size(double x) {
+    return x >= 0 && isfinite(x);
+}
+
+static bool dissipation_is_given(const clast_world *w, const clast_pair_def *d) {
+    return clast_law_info_of(w->def.law)->dissipation && d->dissipation > 0;
+}
+
 static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
-    if (!(d->restitution > 0.01 && d->restitution <= 1)) return "restitution is not in (0.01, 1]";
-    if (!(d->friction >= 0) || !isfinite(d->friction)) return "friction is below zero";
-    if (!(d->cohesion >= 0) || !isfinite(d->cohesion)) return "cohesion is below zero";
-    if (w->def.law != CLAST_LAW_LINEAR) return NULL;
-    if (!(d->stiffness > 0) || !isfinite(d->stiffness))
-        return "the linear law needs a stiffness above zero";
-    if (!(d->tangential_ratio >= 0) || !isfinite(d->tangential_ratio))
-        return "tangential_ratio is below zero";
+    const clast_law_info *law = clast_law_info_of(w->def.law);
+    if (law->dissipation && !is_size(d->dissipation)) return "dissipation is below zero";
+    if (law->dissipation && !is_size(d->reference_speed)) return "reference_speed is below zero";
+    if (!dissipation_is_given(w, d) && !(d->restitution > 0.01 && d->restitution <= 1))
+        return "restitution is not in (0.01, 1]";
+    if (!is_size(d->friction)) return "friction is below zero";
+    if (!is_size(d->cohesion)) return "cohesion is below zero";
+    if (!is_size(d->rolling_friction)) return "rolling_friction is below zero";
+    if (!(d->tangential_restitution >= 0 && d->tangential_restitution <= 1))
+        return "tangential_restitution is not in [0, 1]";
+    if (law->stiffness && !(d->stiffness > 0 && isfinite(d->stiffness)))
+        return "this law needs a stiffness above zero";
+    if (law->linear && !is_size(d->tangential_ratio)) return "tangential_ratio is below zero";
     return NULL;
 }
 
@@ -160,25 +175,26 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
         return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "pair %s / %s: %s", ma->name,
                                         mb->name, fault);
     double ga = ma->young / (2 * (1 + ma->poisson)), gb = mb->young / (2 * (1 + mb->poisson));
-    double ratio = d->tangential_ratio > 0 ? d->tangential_ratio : 2.0 / 7.0;
+    bool given = dissipation_is_given(w, d);
     pair_coef c = {
         .set = true,
         .e_star = 1 / ((1 - ma->poisson * ma->poisson) / ma->young +
                        (1 - mb->poisson * mb->poisson) / mb->young),
         .g_star = 1 / ((2 - ma->poisson) / ga + (2 - mb->poisson) / gb),
         .stiffness = d->stiffness,
-        .tangential = ratio * d->stiffness,
-        .damping = damping_for(w, d->restitution),
+        .ratio = d->tangential_ratio,
+        .damping = given ? 0 : damping_for(w, d->restitution),
+        .tangential_restitution = d->tangential_restitution,
+        .dissipation = given ? d->dissipation : 0,
+        .dissipation_given = given,
+        .reference_speed = d->reference_speed,
         .friction = d->friction,
         .cohesion = d->cohesion,
-        .restitution = d->restitution,
+        .restitution = given ? 0 : d->restitution,
+        .rolling = d->rolling_friction,
     };
-    bool linear = w->def.law == CLAST_LAW_LINEAR;
-    c.k_normal = linear ? c.stiffness : 2 * c.e_star;
-    c.k_tangent = linear ? c.tangential : 8 * c.g_star;
-    c.c_normal = 2 * c.damping * sqrt(c.k_normal);
-    c.c_tangent = 2 * c.damping * sqrt(c.k_tangent);
     w->coefs[a * w->material_count + b] = w->coefs[b * w->material_count + a] = c;
+    if (w->prepared) law_prepare_pair(w, a, b);
     return CLAST_OK;
 }
 

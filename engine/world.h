@@ -98,12 +98,17 @@ typedef struct material {
 /* Everything a contact law needs that depends on the two materials only. */
 typedef struct pair_coef {
     bool set;
-    double e_star, g_star;        /* Pa; 1/E* = sum (1-nu^2)/E, 1/G* = sum (2-nu)/G */
-    double stiffness, tangential; /* N/m, linear law */
-    double damping;               /* ratio, solved for the restitution */
-    double friction, cohesion, restitution;
-    double k_normal, k_tangent; /* per a = sqrt(R d): 2 E*, 8 G* in Pa; linear: N/m */
-    double c_normal, c_tangent; /* dashpots per sqrt(a m): 2 ratio sqrt(k) */
+    double e_star, g_star;   /* Pa; 1/E* = sum (1-nu^2)/E, 1/G* = sum (2-nu)/G */
+    double stiffness, ratio; /* N/m as given; tangential over normal, 0: as law.c has it */
+    double damping;          /* ratio, solved for the restitution */
+    double tangential_restitution;
+    double dissipation, reference_speed; /* s, m/s; dissipation is solved in preparing */
+    bool dissipation_given;
+    double friction, cohesion, restitution, rolling;
+    double k_normal, k_tangent; /* per a = sqrt(R d): 2 E*, 8 G* in Pa; linear: N/m per law_scale()
+                                 */
+    double c_normal, c_tangent; /* dashpots per sqrt(a m): 2 ratio sqrt(k); Brilliantov: per a */
+    double yield;               /* Walton-Braun: plastic over largest overlap, 1 - k1 / k2 */
 } pair_coef;
 
 typedef struct shape {
@@ -117,6 +122,7 @@ typedef struct shape {
     double inverse_mass;
     vec3 inverse_inertia;
     bool round_inertia; /* three equal moments: spin and angular momentum are parallel */
+    double turning; /* kg m2, what rolling friction may bring to rest in one step, per contact */
 } shape;
 
 typedef struct part {
@@ -170,16 +176,19 @@ typedef struct history {
     double overlap; /* m */
     double normal;  /* N, elastic and dashpot */
     vec3 spring;    /* N, tangential spring force on a */
+    double plastic; /* m, overlap at which unloading ends; 0 but for Walton-Braun */
 } history;
 
-enum { HISTORY_COLUMNS = 5 }; /* overlap, normal, spring in the kernel frame */
+/* Columns of a history: overlap, normal force, spring in the kernel frame, and in worlds with a law
+ * that yields the plastic overlap. A world without it has HISTORY_PLASTIC columns. */
+enum { HISTORY_SPRING = 2, HISTORY_PLASTIC = 5, HISTORY_COLUMNS = 6 };
 
 /* Pairs that touch or nearly touch, sorted by a. Columns of double, or of float in a world of mixed
  * precision, with room for a whole batch behind the last. */
 typedef struct contact_list {
     size_t count, capacity;
     int32_t *a, *b; /* spheres, a < b; b is a wall in a list of walls */
-    void *column[HISTORY_COLUMNS];
+    void *column[HISTORY_COLUMNS]; /* the last is NULL where there is none */
 } contact_list;
 
 enum { ENTRIES_BEHIND = 64 };
@@ -287,6 +296,8 @@ typedef struct speciality {
     bool one_wall; /* spheres of one kind, walls of one material */
     bool round;    /* all bodies have three equal moments */
     bool oriented;  /* it matters how bodies are turned: clumps, or asked for */
+    bool spring;   /* tangential force: spring and dashpot, else the dashpot alone */
+    bool rolling;  /* rolling friction somewhere */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
@@ -310,6 +321,7 @@ typedef struct ledger {
 struct clast_world {
     clast_world_def def;
     bool prepared;
+    int history_columns; /* HISTORY_COLUMNS, or HISTORY_PLASTIC */
     uint64_t step;
     double dt;
 
@@ -422,6 +434,22 @@ bool body_is_outside(const clast_world *w, size_t slot);
 vec3 body_spin_of(const clast_world *w, int32_t shape, quat q, vec3 angular_momentum);
 vec3 body_spin(const clast_world *w, size_t slot);
 
+/* law.c */
+bool law_has_spring(const clast_world *w);
+double law_scale(clast_law law, double radius, double mass);
+double law_elastic_force(const clast_world *w, const pair_coef *c, double radius, double mass,
+                         double overlap);
+typedef struct stored_energy {
+    double normal, tangential; /* J */
+} stored_energy;
+stored_energy law_stored_energy(const clast_world *w, const pair_coef *c, double radius,
+                                double mass, const history *h);
+typedef void law_visitor(const clast_world *w, const pair_coef *c, double mass, double radius,
+                         void *context);
+void law_each_contact(const clast_world *w, law_visitor *visit, void *context);
+void law_prepare_pair(clast_world *w, int material_a, int material_b);
+void law_prepare(clast_world *w);
+
 /* rows.c */
 void rows_layout(clast_world *w);
 void rows_fill(clast_world *w, size_t body_begin, size_t body_end);
@@ -483,9 +511,6 @@ void records_reserve(clast_world *w, size_t count);
 void records_forget(clast_world *w);
 
 /* contact.c: runs the kernel on all shares, adds up tallies */
-typedef struct stored_energy {
-    double normal, tangential; /* J */
-} stored_energy;
 void contacts_evaluate(clast_world *w);
 void contacts_restore(clast_world *w);
 void contacts_forget_springs(clast_world *w);
@@ -533,6 +558,7 @@ clast_status guards_outside(clast_world *w);
 void bodies_leave(clast_world *w);
 clast_status timestep_choose(clast_world *w);
 double timestep_rayleigh(const clast_world *w);
+double timestep_impact_speed(const clast_world *w);
 
 double world_seconds(void);
 

@@ -70,6 +70,19 @@ static void print_walls(const scene *s) {
     }
 }
 
+static void print_rebound(clast_law law, const clast_pair_def *pair) {
+    if (pair->rolling_friction > 0) printf("rolling friction %g, ", pair->rolling_friction);
+    if (clast_law_info_of(law)->dissipation && pair->dissipation > 0) {
+        printf("dissipation %g s", pair->dissipation);
+        return;
+    }
+    printf("restitution %g", pair->restitution);
+    if (clast_law_info_of(law)->dissipation && pair->reference_speed > 0)
+        printf(" at %g m/s", pair->reference_speed);
+    else if (!clast_law_info_of(law)->yields && !clast_law_info_of(law)->dissipation)
+        printf(", damping ratio %.5f", clast_damping_ratio(law, pair->restitution));
+}
+
 static void print_pairs(const scene *s) {
     clast_law law = clast_world_definition(s->world)->law;
     clast_plan plan = clast_world_plan(s->world);
@@ -78,16 +91,17 @@ static void print_pairs(const scene *s) {
     for (int i = 0; i < s->pair_count; i++) {
         const scene_pair *p = &s->pairs[i];
         double measured = scene_rebound(s, p);
-        printf("  %s / %s: friction %g, restitution %g, damping ratio %.5f, measured ",
-               s->materials[p->a].name, s->materials[p->b].name, p->def.friction,
-               p->def.restitution, clast_damping_ratio(law, p->def.restitution));
+        printf("  %s / %s: friction %g, ", s->materials[p->a].name, s->materials[p->b].name,
+               p->def.friction);
+        print_rebound(law, &p->def);
+        printf(", measured ");
         if (measured >= 0)
             printf("%.5f\n", measured);
         else
             printf("nothing: they do not part at this step\n");
     }
     printf("mixing: none; every pair is stated. %s\n",
-           law == CLAST_LAW_LINEAR
+           clast_law_info_of(law)->stiffness
                ? "Stiffness is that of the pair."
                : "Its stiffness follows from both materials: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.");
 }

@@ -94,12 +94,12 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
     char text[100];
     double rayleigh = def->rayleigh_fraction * p->rayleigh_step;
     double contact = p->contact_time / def->contact_resolution;
-    bool by_contact = def->law == CLAST_LAW_LINEAR || contact <= rayleigh;
+    bool linear = clast_law_info_of(def->law)->linear, by_contact = linear || contact <= rayleigh;
     printf("step: %.6g s, %s\n", p->time_step,
            given ? "as the scene says" : "the smaller of two limits");
     snprintf(text, sizeof text, "%g of the Rayleigh step, %.4g s", def->rayleigh_fraction,
              p->rayleigh_step);
-    if (def->law != CLAST_LAW_LINEAR)
+    if (!linear)
         print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
     snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps",
              p->contact_time, p->impact_speed, def->contact_resolution);
@@ -136,13 +136,14 @@ static int suggest_step(const clast_plan *p, const clast_world_def *def) {
     double longest = p->contact_time / def->contact_resolution, critical = 0.5 * p->critical_step;
     double cap = p->rayleigh_step; /* information must not cross a sphere in less than a step */
     double step = longest < critical ? longest : critical;
-    if (def->law != CLAST_LAW_LINEAR && step > cap) step = cap;
+    bool linear = clast_law_info_of(def->law)->linear;
+    if (!linear && step > cap) step = cap;
     if (step < 1.1 * p->time_step) return 0;
     printf("  steps: contacts are resolved by %.0f, %g are asked; a step of %.3g s still does that "
            "and "
            "saves %.0f %%\n",
            p->resolution, def->contact_resolution, step, 100 * (1 - p->time_step / step));
-    if (def->law != CLAST_LAW_LINEAR) printf("    (%.2g of the Rayleigh step)\n", step / cap);
+    if (!linear) printf("    (%.2g of the Rayleigh step)\n", step / cap);
     return 1;
 }
 
@@ -253,14 +254,16 @@ static int suggest_plane(int axis) {
 }
 
 static void print_not_modelled(const scene *s) {
-    bool friction = false, cohesion = false;
+    bool friction = false, cohesion = false, rolling = false;
     for (int i = 0; i < s->pair_count; i++) {
         friction = friction || s->pairs[i].def.friction > 0;
         cohesion = cohesion || s->pairs[i].def.cohesion > 0;
+        rolling = rolling || s->pairs[i].def.rolling_friction > 0;
     }
     const clast_world_def *def = clast_world_definition(s->world);
-    printf("  not asked for, so not modelled:%s%s%s%s\n", friction ? "" : " friction",
-           cohesion ? "" : " cohesion", def->global_damping > 0 ? "" : " global damping",
+    printf("  not asked for, so not modelled:%s%s%s%s%s\n", friction ? "" : " friction",
+           rolling ? "" : " rolling friction", cohesion ? "" : " cohesion",
+           def->global_damping > 0 ? "" : " global damping",
            def->motion == CLAST_MOTION_IN_PLANE ? " motion out of plane" : "");
 }
 
@@ -268,6 +271,8 @@ static int plan(const arguments *a, const scene *s) {
     clast_plan p = clast_world_plan(s->world);
     const clast_world_def *def = clast_world_definition(s->world);
     printf("%s: %s\n", s->path, s->title);
+    printf("law: %s%s\n", clast_law_info_of(def->law)->name,
+           def->law == CLAST_LAW_MAW ? " (stiffness of the impact speed below)" : "");
     printf("kernel: %s\n", p.kernel);
     printf("threads: %d, lanes: %s, skin: %.3g mm\n", p.threads, p.isa, 1e3 * p.skin);
     printf("precision: %s\n", def->precision == CLAST_PRECISION_MIXED

@@ -234,7 +234,7 @@ static void check_step(scene_reader *r, const scene_draft *d, const clast_world 
     else if (p.resolution < d->def.contact_resolution)
         scene_warn(r->faults, step->line, path, "%s, contact_resolution asks for %g", means,
                    d->def.contact_resolution);
-    else if (p.time_step > p.rayleigh_step && d->def.law != CLAST_LAW_LINEAR)
+    else if (p.time_step > p.rayleigh_step && !clast_law_info_of(d->def.law)->linear)
         scene_warn(r->faults, step->line, path, "%s, expected at most 1 of that", means);
 }
 

@@ -49,6 +49,37 @@ static bool is_pair(const pair_item *p, int a, int b) {
     return (p->between[0] == a && p->between[1] == b) || (p->between[0] == b && p->between[1] == a);
 }
 
+/* A number that the law does not read would be believed to matter. */
+static void check_unused(scene_reader *r, const pair_item *pair, const char *key, bool used,
+                         const char *by) {
+    const tree_node *node = tree_get(pair->item.node, key);
+    if (node && !used)
+        scene_warn(r->faults, node->line, tree_path(r->arena, node, NULL),
+                   "used by %s alone, has no effect here", by);
+}
+
+static void check_pair_law(scene_reader *r, const scene_draft *d, const pair_item *pair) {
+    const clast_law_info *law = clast_law_info_of(d->def.law);
+    const tree_node *node = pair->item.node;
+    bool given = law->dissipation && tree_get(node, "dissipation");
+    if (law->stiffness && !tree_get(node, "stiffness"))
+        FAULT(node, "stiffness", "missing, expected a stiffness in N/m, > 0, for law %s",
+              law->name);
+    if (!given && !tree_get(node, "restitution"))
+        FAULT(node, "restitution", "missing, expected a number, > 0 and <= 1");
+    static const char *const INSTEAD[] = {"restitution", "reference_speed"};
+    for (int i = 0; i < 2 && given; i++)
+        if (tree_get(node, INSTEAD[i]))
+            FAULT(node, INSTEAD[i], "found beside dissipation, which it would be solved for");
+    check_unused(r, pair, "stiffness", law->stiffness, "the laws linear and walton-braun");
+    check_unused(r, pair, "tangential_ratio", law->linear,
+                 "the laws linear, maw, hooke and walton-braun");
+    check_unused(r, pair, "tangential_restitution", !law->dissipation,
+                 "laws other than hertz-brilliantov");
+    check_unused(r, pair, "dissipation", law->dissipation, "the law hertz-brilliantov");
+    check_unused(r, pair, "reference_speed", law->dissipation, "the law hertz-brilliantov");
+}
+
 static void check_pair(scene_reader *r, const scene_draft *d, const pair_item *pair) {
     const pair_item *first = d->pairs.items;
     for (; first != pair; first++)
@@ -57,18 +88,7 @@ static void check_pair(scene_reader *r, const scene_draft *d, const pair_item *p
                   "found %s and %s twice, expected once (also in line %d)",
                   material_name(d, pair->between[0]), material_name(d, pair->between[1]),
                   first->item.node->line);
-    bool linear = d->def.law == CLAST_LAW_LINEAR;
-    const tree_node *stiffness = tree_get(pair->item.node, "stiffness");
-    if (linear && !stiffness)
-        FAULT(pair->item.node, "stiffness",
-              "missing, expected a stiffness in N/m, > 0, for law linear");
-    static const char *const LINEAR_ONLY[] = {"stiffness", "tangential_ratio"};
-    for (int i = 0; i < 2; i++) {
-        const tree_node *node = tree_get(pair->item.node, LINEAR_ONLY[i]);
-        if (node && !linear)
-            scene_warn(r->faults, node->line, tree_path(r->arena, node, NULL),
-                       "used by the law linear alone, has no effect here");
-    }
+    check_pair_law(r, d, pair);
 }
 
 static void need_pair(scene_reader *r, const scene_draft *d, int a, int b) {

@@ -18,7 +18,9 @@
 #define WITHIN(x, y) .range = {(x), (y), true, true}
 #define UP_TO(x, y)  .range = {(x), (y), true, false} /* the lower end is outside */
 
-static const char *const LAWS[] = {"hertz-a00", "hertz-mindlin", "linear", NULL};
+static const char *const LAWS[] = {"hertz-a00", "hertz-mindlin", "linear", "maw", "hooke",
+                                   "hertz-brilliantov", "walton-braun", NULL};
+static const char *const TANGENTS[] = {"by-law", "spring", "viscous", NULL};
 static const char *const LIMITS[] = {"total", "spring", NULL};
 static const char *const UNLOADINGS[] = {"rescale", "as-printed", NULL};
 static const char *const CLUMP_CONTACTS[] = {"each", NULL};
@@ -35,7 +37,10 @@ static const char *const PROJECTIONS[] = {"orthographic", "perspective", NULL};
 
 /* Choices are stored as places in their lists: these must not drift apart. */
 _Static_assert(CLAST_LAW_HERTZ_A00 == 0 && CLAST_LAW_HERTZ_MINDLIN == 1 &&
-               CLAST_LAW_LINEAR == 2, "");
+               CLAST_LAW_LINEAR == 2 && CLAST_LAW_MAW == 3 && CLAST_LAW_HOOKE == 4 &&
+               CLAST_LAW_HERTZ_BRILLIANTOV == 5 && CLAST_LAW_WALTON_BRAUN == 6, "");
+_Static_assert(CLAST_TANGENT_BY_LAW == 0 && CLAST_TANGENT_SPRING == 1 &&
+               CLAST_TANGENT_VISCOUS == 2, "");
 _Static_assert(CLAST_LIMIT_TOTAL == 0 && CLAST_LIMIT_SPRING == 1, "");
 _Static_assert(CLAST_UNLOAD_RESCALE == 0 && CLAST_UNLOAD_AS_PRINTED == 1, "");
 _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
@@ -52,6 +57,9 @@ _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HE
 static const scene_key CONTACT_KEYS[] = {
     {"law", KEY_CHOICE, FIELD(def.law), .choices = LAWS, .fallback = "hertz-mindlin",
      .meaning = "contact law of all pairs"},
+    {"tangent", KEY_CHOICE, FIELD(def.tangent), .choices = TANGENTS, .fallback = "by-law",
+     .meaning = "friction before it slides: spring and dashpot, or the dashpot alone (by-law: "
+                "hooke, hertz-brilliantov, walton-braun)"},
     {"friction_limit", KEY_CHOICE, FIELD(def.limit), .choices = LIMITS, .fallback = "total",
      .meaning = "Coulomb limit: friction times spring and dashpot force, or spring force alone"},
     {"unloading", KEY_CHOICE, FIELD(def.unloading), .choices = UNLOADINGS, .fallback = "rescale",
@@ -81,15 +89,31 @@ static const scene_key PAIR_KEYS[] = {
     {"between", KEY_NAMES, FIELD(between), .refers = "materials", .required = true,
      .meaning = "the two materials; every pair that can touch must be stated, none is mixed"},
     {"restitution", KEY_NUMBER, UNIT_NUMBER, FIELD(def.restitution), UP_TO(0, 1),
-     .required = true, .meaning = "rebound over impact speed of a single collision"},
+     .meaning = "rebound over impact speed of a single collision; needed unless dissipation is "
+                "given"},
     {"friction", KEY_NUMBER, UNIT_NUMBER, FIELD(def.friction), FROM(0), .required = true,
      .meaning = "Coulomb coefficient"},
     {"cohesion", KEY_NUMBER, UNIT_FORCE, FIELD(def.cohesion), FROM(0), .fallback = "0 N",
      .meaning = "added to the friction limit"},
     {"stiffness", KEY_NUMBER, UNIT_STIFFNESS, FIELD(def.stiffness), ABOVE(0),
-     .meaning = "normal stiffness; needed by the law linear, used by no other"},
+     .meaning = "normal stiffness, of loading; needed by linear and walton-braun, used by no "
+                "other"},
     {"tangential_ratio", KEY_NUMBER, UNIT_NUMBER, FIELD(def.tangential_ratio), ABOVE(0),
-     .fallback = "2/7", .meaning = "tangential over normal stiffness of the law linear"},
+     .word = "auto", .fallback = "auto",
+     .meaning = "tangential over normal stiffness, of linear, maw, hooke and walton-braun; auto: "
+                "2/7 with a tangential spring, 1 without"},
+    {"tangential_restitution", KEY_NUMBER, UNIT_NUMBER, FIELD(def.tangential_restitution),
+     UP_TO(0, 1), .word = "auto", .fallback = "auto",
+     .meaning = "e_t of S12 2.34 for the tangential dashpot, of all laws but hertz-brilliantov; "
+                "auto: its normal damping ratio"},
+    {"rolling_friction", KEY_NUMBER, UNIT_NUMBER, FIELD(def.rolling_friction), FROM(0),
+     .fallback = "0", .meaning = "couple over normal force times effective radius (S12 2.53)"},
+    {"dissipation", KEY_NUMBER, UNIT_TIME, FIELD(def.dissipation), ABOVE(0),
+     .meaning = "A of hertz-brilliantov (S12 2.37), in place of restitution"},
+    {"reference_speed", KEY_NUMBER, UNIT_SPEED, FIELD(def.reference_speed), ABOVE(0),
+     .word = "auto", .fallback = "auto",
+     .meaning = "impact speed at which hertz-brilliantov rebounds with restitution; auto: "
+                "time.impact_speed"},
 };
 TABLE(PAIR, "pairs[]", pair_item, PAIR_KEYS);
 

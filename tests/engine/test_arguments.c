@@ -98,13 +98,19 @@ static void materials(void **state) {
 static void pairs(void **state) {
     (void)state;
     static const clast_pair_def bad[] = {
-        {0, 0.3, 0, 1e4, 0}, {1.01, 0.3, 0, 1e4, 0}, {NAN, 0.3, 0, 1e4, 0}, {0.5, -0.1, 0, 1e4, 0},
-        {0.5, INFINITY, 0, 1e4, 0}, {0.5, 0.3, -1, 1e4, 0}, {0.5, 0.3, INFINITY, 1e4, 0},
-        {0.5, 0.3, 0, 0, 0}, {0.5, 0.3, 0, INFINITY, 0}, {0.5, 0.3, 0, 1e4, -1}};
+        {0, 0.3, 0, 1e4, 0, 0, 0, 0, 0},          {1.01, 0.3, 0, 1e4, 0, 0, 0, 0, 0},
+        {NAN, 0.3, 0, 1e4, 0, 0, 0, 0, 0},        {0.5, -0.1, 0, 1e4, 0, 0, 0, 0, 0},
+        {0.5, INFINITY, 0, 1e4, 0, 0, 0, 0, 0},   {0.5, 0.3, -1, 1e4, 0, 0, 0, 0, 0},
+        {0.5, 0.3, INFINITY, 1e4, 0, 0, 0, 0, 0}, {0.5, 0.3, 0, 0, 0, 0, 0, 0, 0},
+        {0.5, 0.3, 0, INFINITY, 0, 0, 0, 0, 0},   {0.5, 0.3, 0, 1e4, -1, 0, 0, 0, 0},
+        {0.5, 0.3, 0, 1e4, 0, 1.1, 0, 0, 0},      {0.5, 0.3, 0, 1e4, 0, 0, -0.1, 0, 0},
+        {0.5, 0.3, 0, 1e4, 0, 0, NAN, 0, 0}};
     static const char *const says[] = {"restitution", "restitution",     "restitution", "friction",
                                        "friction",    "cohesion",        "cohesion",    "stiffness",
-                                       "stiffness",   "tangential_ratio"};
-    for (int i = 0; i < 10; i++) {
+                                       "stiffness",   "tangential_ratio",
+                                       "tangential_restitution", "rolling_friction",
+                                       "rolling_friction"};
+    for (int i = 0; i < 13; i++) {
         assert_int_equal(clast_pair_set(w, m.soft, m.hard, &bad[i]), CLAST_ERR_ARGUMENT);
         expect(-1, says[i]);
         expect(-1, "soft / hard");
@@ -112,6 +118,23 @@ static void pairs(void **state) {
     assert_int_equal(clast_pair_set_friction(w, m.soft, m.hard, -0.1), CLAST_ERR_ARGUMENT);
     assert_int_equal(clast_pair_set_friction(w, m.soft, m.hard, NAN), CLAST_ERR_ARGUMENT);
     assert_int_equal(clast_pair_set_friction(w, m.soft, m.hard, 0.1), CLAST_OK);
+}
+
+static void dissipation_or_restitution(void **state) {
+    (void)state;
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_BRILLIANTOV);
+    clast_world *v = new_world(&def);
+    int clay = clast_material_add(v, &(clast_material_def){"clay", 700, 1e7, 0.3});
+    clast_pair_def bad[3] = {{.restitution = 0.5, .dissipation = -1},
+                             {.restitution = 0.5, .reference_speed = NAN}, {.restitution = 0}};
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(clast_pair_set(v, clay, clay, &bad[i]), CLAST_ERR_ARGUMENT);
+    bad[2].dissipation = 1e-6; /* instead of a restitution */
+    assert_int_equal(clast_pair_set(v, clay, clay, &bad[2]), CLAST_OK);
+    clast_world_free(v);
+    def.tangent = (clast_tangent)3;
+    assert_null(clast_world_new(&def));
+    assert_non_null(strstr(clast_world_new_error(), "tangent"));
 }
 
 static int shape_of(int count, const clast_vec3 *centre, const double *radius, double mass,
@@ -253,6 +276,7 @@ static void a_plane_of_motion(void **state) {
 #define WITH_WORLD(test) cmocka_unit_test_setup_teardown(test, fresh, gone)
 
 TEST_MAIN(cmocka_unit_test(world_definitions), WITH_WORLD(materials), WITH_WORLD(pairs),
-          WITH_WORLD(shapes), WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls),
+          cmocka_unit_test(dissipation_or_restitution), WITH_WORLD(shapes),
+          WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls),
           WITH_WORLD(bodies), WITH_WORLD(a_world_without_shapes),
           WITH_WORLD(pairs_that_are_missing_are_named_once), cmocka_unit_test(a_plane_of_motion))

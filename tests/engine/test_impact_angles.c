@@ -26,6 +26,12 @@ static double worst_gain(collision c, double resolution) {
     return worst;
 }
 
+/* Without friction (a dashpot alone is none at e = 1) grazing spheres part otherwise than they met:
+ * the line of centres turns. */
+static bool friction_is_viscous(clast_law law) {
+    return !clast_law_info_of(law)->spring;
+}
+
 static void check_law(clast_law law, const char *name, double e, clast_friction_limit limit,
                       bool against_plane) {
     collision c = {
@@ -37,17 +43,19 @@ static void check_law(clast_law law, const char *name, double e, clast_friction_
         " 130\n",
         name, e, (int)limit, against_plane, coarse, middle, fine);
     /* without a dashpot the error of integration may have either sign, and falls like the step
-     * squared */
+     * squared: an onset a part q of a step before its end shifts the energy by q (1 - q) / 2 of
+     * k (v dt)^2, (pi / n)^2 / 4 of it at most; a contact that ends as it began gives most back */
     assert_true(e == 1);
-    CHECK_BELOW(coarse, 0.5 / (12 * 12));
-    CHECK_BELOW(middle, 0.5 / (40 * 40));
-    CHECK_BELOW(fine, 0.5 / (130 * 130));
+    double most = !friction_is_viscous(law) ? 0.5 : PI * PI / 4;
+    CHECK_BELOW(coarse, most / (12 * 12));
+    CHECK_BELOW(middle, most / (40 * 40));
+    CHECK_BELOW(fine, most / (130 * 130));
 }
 
 static void no_impact_makes_energy(void **state) {
     (void)state;
-    for (int l = 0; l < 3; l++)
-        for (int limit = 0; limit < 2; limit++)
+    for (int l = 0; l < LAW_COUNT; l++)
+        for (int limit = 0; limit < (l < 3 ? 2 : 1); limit++)
             for (int plane = 0; plane < 2; plane++) {
                 check_law(LAWS[l], LAW_NAMES[l], 0.72, (clast_friction_limit)limit, plane);
                 check_law(LAWS[l], LAW_NAMES[l], 1.0, (clast_friction_limit)limit, plane);

@@ -143,18 +143,21 @@ static void the_residual_of_a_bed_falls_with_the_step(void **state) {
 /* One damped oblique impact: second order in the step, both limits. */
 static void the_residual_of_an_impact_is_second_order(void **state) {
     (void)state;
-    for (int l = 0; l < 3; l++) {
-        double sum[2] = {0, 0};
+    for (int l = 0; l < LAW_COUNT; l++) {
+        /* of a law that yields, the place of the largest overlap within a step scatters more */
+        bool yields = clast_law_info_of(LAWS[l])->yields;
+        double sum[2] = {0, 0}, resolution[2] = {yields ? 100 : 50, yields ? 3200 : 400};
         for (int fine = 0; fine < 2; fine++)
             for (int i = 0; i < 8; i++) {
                 collision c = {.law = LAWS[l], .pair = pair_of(0.6, 0.3), .angle = 0.7, .spin = 140,
-                               .resolution = fine ? 400 : 50, .phase = 0.06 + 0.125 * i};
+                               .resolution = resolution[fine], .phase = 0.06 + 0.125 * i};
                 rebound r = collide(&c);
                 sum[fine] += fabs(r.residual) / r.energy_before / 8;
             }
-        print_message("%s: residual of an impact %.1e at 50 steps, %.1e at 400, order %.2f\n",
-                      LAW_NAMES[l], sum[0], sum[1], order_of(sum[0], sum[1], 8));
-        CHECK_BELOW(1.75, order_of(sum[0], sum[1], 8));
+        double order = order_of(sum[0], sum[1], resolution[1] / resolution[0]);
+        print_message("%s: residual of an impact %.1e at %g steps, %.1e at %g, order %.2f\n",
+                      LAW_NAMES[l], sum[0], resolution[0], sum[1], resolution[1], order);
+        CHECK_BELOW(1.75, order);
         CHECK_BELOW(sum[0], 1e-3);
     }
 }

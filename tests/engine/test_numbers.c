@@ -105,6 +105,26 @@ static void fifth_root_is_exact_to_two_ulps(void **state) {
     assert_true(number_fifth_root(32) == 2);
 }
 
+/* The lane alone, without the call around it, over all normal numbers. */
+static void fifth_root_in_a_lane(void **state) {
+    (void)state;
+    dice d = {12, 0};
+    for (int i = 0; i < 20000; i++) {
+        double x = pow(2, roll(&d, -1020, 1020)), r = number_fifth_root_lane(x);
+        CHECK_CLOSE(r, (double)powl((long double)x, 1 / 5.0L), 4.5e-16);
+    }
+}
+
+static void logarithm_is_exact_to_a_few_ulps(void **state) {
+    (void)state;
+    dice d = {13, 0};
+    for (int i = 0; i < 20000; i++) {
+        double x = i % 2 ? pow(10, roll(&d, -250, 250)) : roll(&d, 0.01, 1);
+        CHECK_NEAR(number_log(x), log(x), 4e-16 * fmax(fabs(log(x)), 0.02));
+    }
+    assert_true(number_log(1) == 0);
+}
+
 static void powers_of_two(void **state) {
     (void)state;
     assert_true(number_power_of_two_above(1) == 1);
@@ -201,7 +221,9 @@ static void the_fit_refuses_nonsense(void **state) {
 
 TEST_MAIN(cmocka_unit_test(a_sum_has_no_order), cmocka_unit_test(a_sum_is_right),
           cmocka_unit_test(sincos_agrees_with_libm), cmocka_unit_test(sincos_keeps_the_unit_circle),
-          cmocka_unit_test(fifth_root_is_exact_to_two_ulps), cmocka_unit_test(powers_of_two),
+          cmocka_unit_test(fifth_root_is_exact_to_two_ulps),
+          cmocka_unit_test(fifth_root_in_a_lane),
+          cmocka_unit_test(logarithm_is_exact_to_a_few_ulps), cmocka_unit_test(powers_of_two),
           cmocka_unit_test(philox_gives_the_published_words),
           cmocka_unit_test(random_numbers_are_uniform), cmocka_unit_test(the_button_of_appendix_e),
           cmocka_unit_test(fitted_spheres_touch_the_profile_from_inside),

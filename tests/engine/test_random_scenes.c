@@ -36,7 +36,8 @@ static void random_walls(random_scene *s, dice *d, int material) {
 
 static random_scene make(uint64_t seed) {
     dice d = {seed, 0};
-    clast_world_def def = bare_def((clast_law)(int)roll(&d, 0, 3));
+    clast_world_def def = bare_def((clast_law)(int)roll(&d, 0, 7));
+    def.tangent = (clast_tangent)(int)roll(&d, 0, 3);
     def.limit = (clast_friction_limit)(int)roll(&d, 0, 2);
     def.motion = roll(&d, 0, 1) < 0.3 ? CLAST_MOTION_IN_PLANE : CLAST_MOTION_3D;
     def.gravity = vec(roll(&d, -3, 3), 0, roll(&d, -12, 0));
@@ -49,6 +50,7 @@ static random_scene make(uint64_t seed) {
     random_scene s = {.w = new_world(&def), .bodies = (int)roll(&d, 0, 25)};
     clast_pair_def pair = pair_of(roll(&d, 0.05, 1), roll(&d, 0, 1) < 0.2 ? 0 : roll(&d, 0, 1.2));
     pair.cohesion = roll(&d, 0, 1) < 0.2 ? roll(&d, 0, 1e-3) : 0;
+    pair.rolling_friction = roll(&d, 0, 1) < 0.3 ? roll(&d, 0, 0.5) : 0;
     two_materials m = add_materials(s.w, &pair);
     int shapes[3] = {random_shape(s.w, &d, m.soft), random_shape(s.w, &d, m.hard),
                      random_shape(s.w, &d, m.soft)};

@@ -54,6 +54,7 @@ static void add_walls(clast_world *w, int material) {
 static clast_world *new_world_of(const bed_wish *wish) {
     clast_world_def def = clast_world_def_default();
     def.law = wish->law, def.motion = wish->motion, def.plane_axis = 1;
+    def.precision = wish->precision, def.tangent = wish->tangent;
     def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
     def.rayleigh_fraction = 1, def.contact_resolution = 20, def.impact_speed = 2.5;
     def.gravity.z = -30, def.max_overlap = 0.3, def.max_displacement = 0.5,
@@ -68,7 +69,8 @@ static clast_world *new_world_of(const bed_wish *wish) {
 clast_world *bed_new(const bed_wish *wish) {
     clast_world *w = new_world_of(wish);
     int m = clast_material_add(w, &(clast_material_def){"grain", 2500, 5e6, 0.3});
-    clast_pair_def pair = {.restitution = 0.4, .friction = 0.4, .stiffness = 6000};
+    clast_pair_def pair = {
+        .restitution = 0.4, .friction = 0.4, .stiffness = 6000, .rolling_friction = wish->rolling};
     demand(clast_pair_set(w, m, m, &pair) == CLAST_OK, w);
     int shapes[4] = {clast_shape_add_sphere(w, "ball", 0.0043, m), add_clump(w, m, 0.0029, 2),
                      add_clump(w, m, 0.0021, 3), add_clump(w, m, 0.0019, 5)};

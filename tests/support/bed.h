@@ -12,6 +12,9 @@ typedef struct bed_wish {
     clast_law law;
     clast_motion motion;
     int bodies; /* 0 reads as 63 */
+    double rolling;
+    clast_tangent tangent;
+    clast_precision precision;
 } bed_wish;
 
 /* NULL never comes back: a bed that cannot be made stops the program. */

@@ -1,7 +1,10 @@
 #include "tests/support/collision.h"
 
-const clast_law LAWS[3] = {CLAST_LAW_HERTZ_A00, CLAST_LAW_HERTZ_MINDLIN, CLAST_LAW_LINEAR};
-const char *const LAW_NAMES[3] = {"hertz-a00", "hertz-mindlin", "linear"};
+const clast_law LAWS[LAW_COUNT] = {
+    CLAST_LAW_HERTZ_A00, CLAST_LAW_HERTZ_MINDLIN,     CLAST_LAW_LINEAR,      CLAST_LAW_MAW,
+    CLAST_LAW_HOOKE,     CLAST_LAW_HERTZ_BRILLIANTOV, CLAST_LAW_WALTON_BRAUN};
+const char *const LAW_NAMES[LAW_COUNT] = {
+    "hertz-a00", "hertz-mindlin", "linear", "maw", "hooke", "hertz-brilliantov", "walton-braun"};
 
 static const double YOUNG[2] = {7.3e6, 61e6}, POISSON[2] = {0.37, 0.23}, DENSITY[2] = {1130, 2610};
 static const double PI = 3.14159265358979323846;
@@ -26,18 +29,35 @@ static double effective_radius(const collision *c) {
     return c->against_plane ? c->radius_a : c->radius_a * c->radius_b / (c->radius_a + c->radius_b);
 }
 
+double contact_modulus(void) {
+    double a = (1 - POISSON[0] * POISSON[0]) / YOUNG[0];
+    return 1 / (a + (1 - POISSON[1] * POISSON[1]) / YOUNG[1]);
+}
+
+double contact_stiffness(const collision *given) {
+    collision c = with_defaults(given);
+    double m = effective_mass(&c), r = effective_radius(&c), e = contact_modulus(), v = 1;
+    if (c.law == CLAST_LAW_HOOKE) return 4.0 / 3 * e * r;
+    if (c.law == CLAST_LAW_MAW)
+        return 16.0 / 15 * sqrt(r) * e * pow(15 * m * v * v / (16 * sqrt(r) * e), 0.2);
+    return c.pair.stiffness;
+}
+
 double contact_time(const collision *given) {
     collision c = with_defaults(given);
     double m = effective_mass(&c), v = c.speed * cos(c.angle);
-    if (c.law == CLAST_LAW_LINEAR) return PI * sqrt(m / c.pair.stiffness);
-    double e =
-        1 / ((1 - POISSON[0] * POISSON[0]) / YOUNG[0] + (1 - POISSON[1] * POISSON[1]) / YOUNG[1]);
-    return 2.9432751 * pow(15 * m / (16 * sqrt(effective_radius(&c)) * e), 0.4) * pow(v, -0.2);
+    if (clast_law_info_of(c.law)->linear) {
+        double e = c.law == CLAST_LAW_WALTON_BRAUN ? c.pair.restitution : 1;
+        return 0.5 * (1 + e) * PI * sqrt(m / contact_stiffness(&c));
+    }
+    return 2.9432751 * pow(15 * m / (16 * sqrt(effective_radius(&c)) * contact_modulus()), 0.4) *
+           pow(v, -0.2);
 }
 
 static clast_world *world_of(const collision *c, double dt) {
     clast_world_def def = bare_def(c->law);
     def.unloading = c->unloading;
+    def.tangent = c->tangent;
     def.limit = c->limit;
     def.time_step = dt;
     def.max_residual = 1e9;

@@ -6,6 +6,7 @@
 
 typedef struct collision {
     clast_law law;
+    clast_tangent tangent;
     clast_unloading unloading;
     clast_friction_limit limit;
     clast_pair_def pair;
@@ -33,10 +34,20 @@ typedef struct rebound {
 
 rebound collide(const collision *c);
 
-/* Linear: pi sqrt(m/k); Hertz: S12 2.41 with its constant worked out; both without damping. */
+/* Linear: pi sqrt(m/k); Walton-Braun: S12 2.52; Hertz: S12 2.41 with its constant worked out;
+ * without dashpots. */
 double contact_time(const collision *c);
 
-extern const clast_law LAWS[3];
-extern const char *const LAW_NAMES[3];
+/* N/m, of first loading, laws that are linear in the overlap: S12 2.29 at the impact speed of
+ * bare_def(), S12 2.36, or that of the pair. */
+double contact_stiffness(const collision *c);
+
+/* Pa, of the two materials of the collision. */
+double contact_modulus(void);
+
+/* The first three have a history of the tangential spring and nothing besides. */
+enum { LAW_COUNT = 7 };
+extern const clast_law LAWS[LAW_COUNT];
+extern const char *const LAW_NAMES[LAW_COUNT];
 
 #endif
