@@ -61,6 +61,7 @@ void body_permute(clast_world *w, const uint32_t *order) {
 #define X(type, name) permute_column(b->name, sizeof(type), order, b->count, scratch);
     BODY_COLUMNS(X)
 #undef X
+    integrator_permute(w, order, scratch);
     memory_release(scratch), memory_return(w, room);
     for (size_t i = 0; i < b->count; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
 }
@@ -74,6 +75,7 @@ void body_remove(clast_world *w, size_t slot) {
 #define X(type, name) b->name[slot] = b->name[last];
     BODY_COLUMNS(X)
 #undef X
+    integrator_move(w, slot, last);
     if (slot != last) w->slot_of_id[b->id[slot]] = (int32_t)slot;
     b->count = last;
     w->counters.removed++;

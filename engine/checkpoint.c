@@ -27,6 +27,7 @@ typedef struct saved {
     uint32_t next_id;
     double dt, contact_dt, overlap_max, overlap_now;
     body_store bodies; /* in the order of ids */
+    double **scheme;   /* what a scheme remembers, as integrator_kept() counts; or NULL */
     double *now[6];    /* velocity and spin at the time of the positions; to inherit */
     contact_record *records;
     size_t record_count;
@@ -63,6 +64,11 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "global damping %.17g, precision %d%s\n", d->global_damping, (int)d->precision,
             d->turn_spheres ? ", spheres turn" : "");
     fprintf(t, "time step %.17g\n", w->dt);
+    const clast_scheme_info *scheme = clast_scheme_info_of(d->scheme);
+    if (w->integrator) fprintf(t, "scheme %s\n", scheme->name);
+    if (scheme->implicit)
+        fprintf(t, "newton tolerance %.17g, iterations %d, solver %d\n", d->newton_tolerance,
+                d->newton_iterations, (int)d->linear_solver);
     fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
             (int)d->outside);
@@ -166,6 +172,23 @@ static void save_column(h5_file *f, const char *name, h5_type type, size_t size,
     free(sorted);
 }
 
+/* Name of the k-th column that a scheme remembers. */
+typedef struct column_name {
+    char name[32];
+} column_name;
+
+static column_name scheme_column(int k) {
+    column_name c;
+    snprintf(c.name, sizeof c.name, "/scheme/%d", k);
+    return c;
+}
+
+static int scheme_columns(const clast_world *w) {
+    int count = 0;
+    while (integrator_kept(w, count)) count++;
+    return count;
+}
+
 static void save_bodies(h5_file *f, clast_world *w) {
     const body_store *b = &w->bodies;
     uint32_t *slots = slots_by_id(w);
@@ -176,6 +199,9 @@ static void save_bodies(h5_file *f, clast_world *w) {
     clast_bodies v = clast_world_bodies(w);
     const double *now[] = {v.vx, v.vy, v.vz, v.wx, v.wy, v.wz};
     for (int i = 0; i < 6; i++) save_column(f, NOW[i], H5_F64, 8, now[i], slots, b->count);
+    const double *kept;
+    for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)
+        save_column(f, scheme_column(k).name, H5_F64, 8, kept, slots, b->count);
     free(slots);
 }
 
@@ -313,6 +339,19 @@ static void read_contacts(h5_file *f, saved *s) {
         read_field(f, s, PLASTIC, H5_F64, 1, offsetof(contact_record, history.plastic));
 }
 
+/* A file of another scheme is refused for its scene. */
+static void read_scheme(h5_file *f, const clast_world *w, saved *s) {
+    int count = scheme_columns(w);
+    s->scheme = calloc((size_t)count + 1, sizeof *s->scheme);
+    CLAST_ASSERT(s->scheme);
+    for (int k = 0; k < count; k++) {
+        s->scheme[k] = calloc(s->bodies.count + 1, sizeof(double));
+        CLAST_ASSERT(s->scheme[k]);
+        column_name c = scheme_column(k);
+        if (h5_has(f, c.name)) h5_read(f, c.name, H5_F64, s->bodies.count, s->scheme[k]);
+    }
+}
+
 static void read_saved(h5_file *f, const char *path, saved *s, bool to_inherit) {
     check_format(f, path);
     s->step = h5_u64_attribute(f, "/", "step");
@@ -336,6 +375,8 @@ static void read_saved(h5_file *f, const char *path, saved *s, bool to_inherit) 
 }
 
 static void saved_free(saved *s) {
+    for (int k = 0; s->scheme && s->scheme[k]; k++) free(s->scheme[k]);
+    free(s->scheme);
 #define X(type, name) free(s->bodies.name);
     BODY_COLUMNS(X)
 #undef X
@@ -434,6 +475,12 @@ static void install_bodies(clast_world *w, saved *s) {
     for (size_t i = 0; i < n; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
 }
 
+static void install_scheme(clast_world *w, const saved *s) {
+    double *kept;
+    for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)
+        memcpy(kept, s->scheme[k], s->bodies.count * sizeof *kept);
+}
+
 /* The world takes them over. */
 static void install_records(clast_world *w, saved *s) {
     records_forget(w);
@@ -451,6 +498,7 @@ static void install(clast_world *w, saved *s) {
     w->counters.contacts = s->record_count;
     w->overlap_now = s->overlap_now;
     for (int i = 0; i < w->part_count; i++) w->parts[i].work_total = s->part_work[i];
+    install_scheme(w, s);
     install_bodies(w, s);
     install_records(w, s);
     walls_move(w);
@@ -481,6 +529,7 @@ static clast_status read_file(clast_world *w, const char *path, saved *s, char *
                               bool to_inherit) {
     h5_file *f = h5_open(path);
     read_saved(f, path, s, to_inherit);
+    read_scheme(f, w, s);
     char *text = h5_read_text(f, "/note");
     clast_status status = h5_status(f);
     if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));

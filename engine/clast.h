@@ -104,6 +104,40 @@ typedef enum clast_precision {
                              and forces single */
 } clast_precision;
 
+/* How the world is integrated (clast_scheme_info_of() has the equations). The leapfrog is fast and
+ * the default; the others serve studies of accuracy and stability. In a world of theirs velocities
+ * are those at the time of the positions, and the first steps of a scheme that looks back are ones
+ * of the classical Runge-Kutta scheme. Implicit schemes solve for the translations of all bodies;
+ * rotation goes by the mean of the torques at both ends of a step (S12 3.8.5). */
+typedef enum clast_scheme {
+    CLAST_SCHEME_LEAPFROG,
+    CLAST_SCHEME_SYMPLECTIC_EULER, /* S12 2.7.1 */
+    CLAST_SCHEME_TAYLOR,           /* S12 2.7.2 */
+    CLAST_SCHEME_POSITION_VERLET,  /* S12 2.7.3; dashpots feel the velocity of the step before */
+    CLAST_SCHEME_VELOCITY_VERLET,  /* S12 2.7.4, predictor and corrector */
+    CLAST_SCHEME_GEAR4,            /* S12 2.7.5 */
+    CLAST_SCHEME_BACKWARD_EULER,   /* implicit from here on: S12 3.3.1 */
+    CLAST_SCHEME_BEEMAN,           /* S12 3.3.2 */
+    CLAST_SCHEME_NEWMARK_BETA,     /* S12 3.3.3 */
+    CLAST_SCHEME_BDF2,             /* S12 3.3.4 */
+    CLAST_SCHEME_BDF4,             /* S12 3.3.5 */
+    CLAST_SCHEME_ADAMS_MOULTON,    /* S12 3.3.6, third order */
+    CLAST_SCHEME_TRAPEZOID,        /* S12 3.3.7 */
+    CLAST_SCHEME_NUMEROV_BACKWARD, /* S12 3.25 with the dashpots of 3.29 */
+    CLAST_SCHEME_NUMEROV_FORWARD,  /* of 3.30 */
+    CLAST_SCHEME_NUMEROV_CENTRAL   /* of 3.31 */
+} clast_scheme;
+
+enum {
+    CLAST_SCHEMES = CLAST_SCHEME_NUMEROV_CENTRAL + 1,
+    CLAST_LEVELS = 4 /* times that a scheme looks at: now, a step before, ... */
+};
+
+typedef enum clast_linear_solver {
+    CLAST_SOLVER_CONJUGATE_GRADIENT, /* preconditioned with the blocks of the diagonal */
+    CLAST_SOLVER_GAUSS_SEIDEL        /* S12 3.8.3 */
+} clast_linear_solver;
+
 typedef struct clast_world_def {
     clast_vec3 gravity;         /* m/s2 */
     clast_law law;              /* one contact law per world */
@@ -113,6 +147,12 @@ typedef struct clast_world_def {
     clast_motion motion;        /* in-plane: no velocity along plane_axis, spin about it alone */
     int plane_axis;             /* 0 x, 1 y, 2 z: normal of the plane of motion */
     double global_damping;      /* 1/s, f of A00 1.81; >= 0 */
+
+    clast_scheme scheme;
+    double newton_tolerance; /* of the smallest radius: an implicit step ends when no body moves
+                                farther in an iteration; typical 1e-10 */
+    int newton_iterations;   /* most in a step; not to converge is a failure for the guards */
+    clast_linear_solver linear_solver;
 
     double time_step;          /* s; 0 asks for the smaller of the next two limits */
     double rayleigh_fraction;  /* of the Rayleigh step, A00 1.28; in (0, 1] */
@@ -391,13 +431,63 @@ typedef struct clast_counters {
     size_t candidates;                   /* near enough to be looked at in every step */
     size_t contacts;
     double seconds_walls, seconds_neighbours, seconds_contacts, seconds_bodies, seconds_measure;
-    size_t bytes;         /* held by the engine now */
-    double overlap_max;   /* of the smaller radius, largest so far */
-    size_t removed;       /* bodies that left the domain */
-    uint64_t guard_trips; /* failures that `report` let pass */
+    size_t bytes;                            /* held by the engine now */
+    double overlap_max;                      /* of the smaller radius, largest so far */
+    size_t removed;                          /* bodies that left the domain */
+    uint64_t force_evaluations;              /* that the scheme asked for */
+    uint64_t newton_iterations, newton_most; /* in all, in one step */
+    uint64_t linear_iterations;              /* in all */
+    uint64_t unconverged;                    /* steps in which Newton's method did not converge */
+    uint64_t guard_trips;                    /* failures that `report` let pass */
 } clast_counters;
 
 clast_counters clast_world_counters(const clast_world *w);
+
+/* The last step of an implicit scheme: how far the body moved that moved farthest, per iteration.
+ * Valid until the next step; no iterations where the last step was not an implicit one. */
+typedef struct clast_newton {
+    bool converged;
+    int iterations;
+    const double *move; /* m */
+} clast_newton;
+
+clast_newton clast_world_newton(const clast_world *w);
+
+/* ---- schemes ---------------------------------------------------------------------------------
+ * One step, with x[0], v[0], a[0] at its start, x[1] a step before, ..., and a(next) the forces at
+ * its end over the mass:
+ *
+ *     position = sum x[i] X[i] + dt sum v[i] V[i] + dt^2 (a_next A(next) + sum a[i] A[i])
+ *     velocity = (x_next X(next) + sum x[i] X[i]) / dt + sum v[i] V[i]
+ *                + dt (a_next A(next) + sum a[i] A[i])
+ *
+ * Explicit: `predict` and `felt` (with a_next = 0) are where the forces are taken, `keep` and
+ * `kept` what is kept. Implicit: `keep` is solved for, forces feel its velocity by `felt`. */
+typedef struct clast_scheme_position {
+    double x[CLAST_LEVELS], v[CLAST_LEVELS], a[CLAST_LEVELS], a_next;
+} clast_scheme_position;
+
+typedef struct clast_scheme_velocity {
+    double x_next, x[CLAST_LEVELS], v[CLAST_LEVELS], a[CLAST_LEVELS], a_next;
+} clast_scheme_velocity;
+
+typedef struct clast_scheme_info {
+    const char *name; /* as scene files have it */
+    bool implicit;
+    int order, order_damped; /* of position and velocity, for smooth motion */
+    int past;                /* levels behind x[0] */
+    clast_scheme_position predict, keep;
+    clast_scheme_velocity felt, kept;
+    bool splits; /* a[i] and a_next are without dashpots; of these dt^2 (dashpot_next those of
+                    `felt` at the end + dashpot those of `felt` at the start) is added to the
+                    position and half of that over dt to the velocity */
+    double dashpot, dashpot_next;
+    double turn;      /* rotation: torque at the start, times dt, in the momentum it goes by */
+    double felt_kick; /* the same in the momentum that forces feel */
+    double kept_kick; /* share of the torque at the end in the momentum that is kept */
+} clast_scheme_info;
+
+const clast_scheme_info *clast_scheme_info_of(clast_scheme scheme);
 
 /* ---- files ------------------------------------------------------------------------------------
  */

@@ -70,18 +70,9 @@ void contacts_evaluate(clast_world *w) {
     book_parts(w);
 }
 
-/* All of the overhang: what lies beyond its count comes alive when the count grows. */
-static void clear_loads(clast_world *w) {
-    memset(w->rows.loads, 0, w->bodies.count * sizeof *w->rows.loads);
-    for (int t = 0; t < w->threads; t++) {
-        share *s = &w->shares[t];
-        if (s->overhang) memset(s->overhang, 0, s->overhang_capacity * sizeof *s->overhang);
-    }
-}
-
 /* Loads from stored histories, with the bits of the evaluation that stored them. */
 void contacts_restore(clast_world *w) {
-    clear_loads(w);
+    loads_clear(w);
     run_pass(w, CONTACTS_AGAIN);
     for (int p = 0; p < w->part_count; p++) w->parts[p].power = part_power(w, p);
 }
@@ -144,9 +135,14 @@ static double effective_mass(const clast_world *w, const contact_place *at) {
     return ma * mb / (ma + mb);
 }
 
+contact_kind contact_kind_of(const clast_world *w, const contact_place *at) {
+    return (contact_kind){coef_of(w, at), effective_radius(w, at), effective_mass(w, at)};
+}
+
 stored_energy contact_stored_energy(const clast_world *w, const contact_place *at) {
     history h = contact_history(w, at->list, at->index, at->with_wall);
-    return law_stored_energy(w, coef_of(w, at), effective_radius(w, at), effective_mass(w, at), &h);
+    contact_kind k = contact_kind_of(w, at);
+    return law_stored_energy(w, k.coef, k.radius, k.mass, &h);
 }
 
 typedef struct energy_sums {

@@ -89,6 +89,18 @@ static clast_status motion_failure(clast_world *w) {
     return trip(w, what);
 }
 
+/* ---- Newton's method ------------------------------------------------------------------------- */
+
+clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move) {
+    char who[256], what[512];
+    describe_body(w, slot, who, sizeof who);
+    snprintf(what, sizeof what,
+             "Newton's method has not converged in %d iterations: the last moved by %.3g m "
+             "(limit %.3g m) %s",
+             iterations, move, w->def.newton_tolerance * w->smallest_radius, who);
+    return trip(w, what);
+}
+
 /* ---- energy ---------------------------------------------------------------------------------- */
 
 /* The residual against the energy put in; a bed at rest is measured against the weight times a

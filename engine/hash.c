@@ -44,6 +44,10 @@ uint64_t clast_world_hash(const clast_world *w) {
         BODY_COLUMNS(X)
 #undef X
     }
+    const double *kept;
+    for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)
+        for (uint32_t id = 0; id < w->next_id; id++)
+            if (w->slot_of_id[id] >= 0) h = mix_double(h, kept[w->slot_of_id[id]]);
     contacts_visit(w, add_contact, &contacts);
     h = mix(h, contacts);
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);

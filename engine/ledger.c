@@ -115,7 +115,8 @@ void ledger_remove_body(clast_world *w, size_t slot) {
          l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
     vec3 spin = body_spin(w, slot);
     vec3 above = v3_sub(body_position(w, slot), w->def.domain_min);
-    vec3 next = v3_add(v, v3_scale(w->dt, w->def.gravity)); /* it touches nothing out there */
+    /* it touches nothing out there; v is that of half a step before, but for other schemes */
+    vec3 next = w->integrator ? v : v3_add(v, v3_scale(w->dt, w->def.gravity));
     double gravity = -mass * v3_dot(above, w->def.gravity);
     w->ledger.removed_gravity += gravity;
     w->ledger.removed += gravity + 0.5 * mass * v3_dot(v, next) + 0.5 * v3_dot(l, spin);

@@ -1,5 +1,7 @@
 /* motion.c - moves all bodies by one step (body_kernel.c), and reads their motion at the time of
  * the positions. */
+#include <string.h>
+
 #include "engine/body_lanes.h"
 #include "engine/parallel.h"
 #include "engine/world.h"
@@ -14,7 +16,7 @@ static void add_wrapped(int64_t *to, const int64_t *from) {
 }
 
 /* Force and torque of all contacts, kernel frame. Gravity is not in it. */
-static void load_of(const clast_world *w, size_t slot, vec3 *force, vec3 *torque) {
+void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque) {
     load_row sum = w->rows.loads[slot];
     for (int t = 0; t < w->threads; t++) {
         const share *s = &w->shares[t];
@@ -26,6 +28,15 @@ static void load_of(const clast_world *w, size_t slot, vec3 *force, vec3 *torque
     double f = w->load_scale.force_quantum, t = w->load_scale.torque_quantum;
     *force = v3(f * (double)sum.force[0], f * (double)sum.force[1], f * (double)sum.force[2]);
     *torque = v3(t * (double)sum.torque[0], t * (double)sum.torque[1], t * (double)sum.torque[2]);
+}
+
+/* All of the overhang: what lies beyond its count comes alive when the count grows. */
+void loads_clear(clast_world *w) {
+    memset(w->rows.loads, 0, w->bodies.count * sizeof *w->rows.loads);
+    for (int t = 0; t < w->threads; t++) {
+        share *s = &w->shares[t];
+        if (s->overhang) memset(s->overhang, 0, s->overhang_capacity * sizeof *s->overhang);
+    }
 }
 
 /* Everything below reads in the kernel frame. */
@@ -41,10 +52,21 @@ static vec3 inverse_inertia_of(const clast_world *w, size_t i) {
     return to_kernel(w, w->shapes[w->bodies.shape[i]].inverse_inertia);
 }
 
+/* q after that time (s) with that mean momentum, where it matters how bodies are turned. World
+ * frame. */
+quat body_turned(const clast_world *w, size_t i, quat q, vec3 momentum, double time) {
+    if (!w->special.oriented) return q;
+    vec3 turn = to_kernel(w, v3(q.x, q.y, q.z));
+    quat k = turned_by(turning_of(w), (quat){q.w, turn.x, turn.y, turn.z}, to_kernel(w, momentum),
+                       inverse_inertia_of(w, i), time);
+    turn = from_kernel(w, v3(k.x, k.y, k.z));
+    return (quat){k.w, turn.x, turn.y, turn.z};
+}
+
 static kick kick_of(const clast_world *w, size_t i) {
     const shape *s = &w->shapes[w->bodies.shape[i]];
     vec3 force, torque;
-    load_of(w, i, &force, &torque);
+    body_load(w, i, &force, &torque);
     body_choice c = {w->dt, 0.5 * w->def.global_damping * w->dt, to_kernel(w, w->def.gravity)};
     return kicked(turning_of(w), c, moving_of(w, i), force, torque, s->mass, s->inverse_mass,
                   inverse_inertia_of(w, i));
@@ -85,7 +107,7 @@ void velocities_start(clast_world *w) {
     double back = 1 + 0.5 * w->def.global_damping * w->dt, half = 0.5 * w->dt;
     for (size_t i = 0; i < w->bodies.count; i++) {
         vec3 force, torque;
-        load_of(w, i, &force, &torque);
+        body_load(w, i, &force, &torque);
         vec3 a = v3_add(v3_scale(w->shapes[w->bodies.shape[i]].inverse_mass, force),
                         to_kernel(w, w->def.gravity));
         if (w->def.motion == CLAST_MOTION_IN_PLANE) a.z = torque.x = torque.y = 0;
@@ -114,12 +136,13 @@ static void view_body(clast_world *w, size_t i, vec3 v, vec3 spin) {
 }
 
 /* Velocities at the time of the positions, without touching the state: the mean of the half steps
- * before and after. Before the first evaluation the columns hold the velocities of the start. */
+ * before and after. Before the first evaluation, and with a scheme beside the leapfrog, they are
+ * what the columns hold. */
 void velocities_synchronise(clast_world *w) {
     reserve_view(w);
     const body_store *b = &w->bodies;
     for (size_t i = 0; i < b->count; i++) {
-        if (!w->prepared) {
+        if (!w->prepared || w->integrator) {
             view_body(w, i, v3(b->vx[i], b->vy[i], b->vz[i]), body_spin(w, i));
             continue;
         }
@@ -131,9 +154,23 @@ void velocities_synchronise(clast_world *w) {
     }
 }
 
+/* Where the columns hold the velocities at the time of the positions. */
+static motion_books plain_balance(const clast_world *w) {
+    exact_sum kinetic = {0, 0}, rotational = {0, 0};
+    const body_store *b = &w->bodies;
+    for (size_t i = 0; i < b->count; i++) {
+        vec3 v = v3(b->vx[i], b->vy[i], b->vz[i]), l = v3(b->lx[i], b->ly[i], b->lz[i]);
+        double mass = w->shapes[b->shape[i]].mass;
+        sum_add(&kinetic, &w->ledger.scale, 0.5 * mass * v3_dot(v, v));
+        sum_add(&rotational, &w->ledger.scale, 0.5 * v3_dot(l, body_spin(w, i)));
+    }
+    return (motion_books){.kinetic = sum_value(&kinetic), .rotational = sum_value(&rotational)};
+}
+
 /* The kinetic energies as v-.v+ and L-.w+, which the discrete motion goes by (the mean of squares
  * would be off by the square of the kick). */
 motion_books motion_balance(const clast_world *w) {
+    if (w->integrator) return plain_balance(w);
     exact_sum kinetic = {0, 0}, rotational = {0, 0}, global = {0, 0}, work = {0, 0};
     const sum_scale *scale = &w->ledger.scale;
     for (size_t i = 0; i < w->bodies.count; i++) {
@@ -141,7 +178,7 @@ motion_books motion_balance(const clast_world *w) {
         moving m = moving_of(w, i);
         vec3 force, torque, inverse = inverse_inertia_of(w, i);
         turning turn = turning_of(w);
-        load_of(w, i, &force, &torque);
+        body_load(w, i, &force, &torque);
         if (turn == TURN_IN_PLANE) force.z = torque.x = torque.y = 0;
         vec3 after = spin_of(turn, m.q, k.momentum, inverse);
         vec3 before = spin_of(turn, m.q, m.l, inverse);

@@ -21,6 +21,7 @@ static void choose_sizes(clast_world *w) {
     w->margin = 0.02 * w->smallest_radius < w->skin ? 0.02 * w->smallest_radius : w->skin;
     bool plane = w->def.motion == CLAST_MOTION_IN_PLANE;
     for (int k = 0; k < 3; k++) w->axes[k] = plane ? (w->def.plane_axis + 1 + k) % 3 : k;
+    if (w->def.scheme != CLAST_SCHEME_LEAPFROG) w->margin = w->skin; /* scheme_trial.c */
 }
 
 static size_t sphere_count(const clast_world *w) {
@@ -112,6 +113,7 @@ clast_status clast_world_prepare(clast_world *w) {
     if (w->prepared) return CLAST_OK;
     clast_status s = prepare_checked(w);
     if (s) return s;
+    if (w->def.scheme != CLAST_SCHEME_LEAPFROG) integrator_make(w);
     walls_link(w);
     walls_make_rows(w);
     walls_move(w);
@@ -124,7 +126,10 @@ clast_status clast_world_prepare(clast_world *w) {
     contacts_evaluate(w); /* books nothing: no time has passed */
     ledger_set_scale(w);
     contacts_restore(w); /* the same forces; sums in the ledger's quanta */
-    velocities_start(w);
+    if (w->integrator)
+        integrator_start(w);
+    else
+        velocities_start(w);
     rows_fill(w, 0, w->bodies.count);
     w->contact_dt = w->dt;
     ledger_start(w);
@@ -140,7 +145,7 @@ static void lap(double *since, double *into) {
 }
 
 /* Contacts whose partner has left take their elastic energy along. */
-static clast_status rebuild(clast_world *w) {
+clast_status world_rebuild(clast_world *w) {
     bool leaving = w->found.outside || w->parts_changed;
     stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
@@ -158,7 +163,7 @@ static clast_status refresh_neighbours(clast_world *w) {
     w->way_reach += way;
     w->way_contacts += way;
     bool far = !(2 * w->way_reach < w->skin);
-    if (w->stale || far || w->found.outside) return rebuild(w);
+    if (w->stale || far || w->found.outside) return world_rebuild(w);
     if (!(2 * w->way_contacts < w->margin)) lists_refresh(w);
     return CLAST_OK;
 }
@@ -167,6 +172,7 @@ clast_status clast_world_step(clast_world *w) {
     CLAST_ASSERT(w);
     clast_status s = clast_world_prepare(w);
     if (s || w->failed) return s ? s : CLAST_ERR_GUARD;
+    if (w->integrator) return integrator_step(w);
     clast_counters *c = &w->counters;
     double clock = world_seconds();
 

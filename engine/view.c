@@ -173,6 +173,7 @@ clast_counters clast_world_counters(const clast_world *w) {
     c.steps = w->step;
     c.bodies = w->bodies.count;
     c.spheres = w->sphere_count;
+    if (!w->integrator) c.force_evaluations = w->step;
     for (int t = 0; t < w->threads; t++) {
         const share *s = &w->shares[t];
         c.pairs += s->reach.count + s->wall_reach.count;

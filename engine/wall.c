@@ -169,12 +169,12 @@ void walls_make_rows(clast_world *w) {
     for (int i = 0; i < w->wall_count; i++) fill_row(w, &w->wall_rows[i], &w->walls[i]);
 }
 
-/* Puts every part where it is now. Positions are functions of time, never sums of steps. */
-void walls_move(clast_world *w) {
-    double t = (double)w->step * w->dt;
+/* Puts every part where it is at that time. Positions are functions of time, never sums of steps.
+ */
+void walls_move_to(clast_world *w, double time) {
     bool any = false;
     w->wall_way = 0;
-    for (int i = 0; i < w->part_count; i++) any |= move_part(w, &w->parts[i], t);
+    for (int i = 0; i < w->part_count; i++) any |= move_part(w, &w->parts[i], time);
     for (int i = 0; i < w->wall_count && any; i++) {
         wall *l = &w->walls[i];
         const part *p = &w->parts[l->part];
@@ -182,4 +182,8 @@ void walls_move(clast_world *w) {
         l->surface_velocity = v3_add(p->velocity, l->def.belt_velocity);
         if (w->wall_rows) place_row(w, &w->wall_rows[i], l);
     }
+}
+
+void walls_move(clast_world *w) {
+    walls_move_to(w, (double)w->step * w->dt);
 }

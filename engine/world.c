@@ -15,6 +15,8 @@ clast_world_def clast_world_def_default(void) {
         .unloading = CLAST_UNLOAD_RESCALE,
         .motion = CLAST_MOTION_3D,
         .plane_axis = 1,
+        .newton_tolerance = 1e-10,
+        .newton_iterations = 200,
         .rayleigh_fraction = 0.2,
         .contact_resolution = 30,
         .domain_min = {-10, -10, -10},
@@ -39,6 +41,13 @@ static const char *fault_of(const clast_world_def *d) {
     if (!(d->global_damping >= 0)) return "global_damping is below zero";
     if (!isfinite(d->global_damping)) return "global_damping is not finite";
     if (d->plane_axis < 0 || d->plane_axis > 2) return "plane_axis is not 0, 1 or 2";
+    if ((unsigned)d->scheme >= CLAST_SCHEMES) return "scheme is not one of those there are";
+    if (!(d->newton_tolerance > 0 && d->newton_tolerance < 1))
+        return "newton_tolerance is not in (0, 1)";
+    if (d->newton_iterations < 1) return "newton_iterations is below one";
+    if (d->linear_solver != CLAST_SOLVER_CONJUGATE_GRADIENT &&
+        d->linear_solver != CLAST_SOLVER_GAUSS_SEIDEL)
+        return "linear_solver is not one of the two";
     if (!(d->time_step >= 0)) return "time_step is below zero";
     if (!isfinite(d->time_step)) return "time_step is not finite";
     if (!(d->rayleigh_fraction > 0 && d->rayleigh_fraction <= 1))
@@ -88,6 +97,7 @@ static void free_scene(clast_world *w) {
 void clast_world_free(clast_world *w) {
     if (!w) return;
     free_scene(w);
+    integrator_free(w);
     shares_free(w);
 #define X(type, name) free(w->bodies.name);
     BODY_COLUMNS(X)

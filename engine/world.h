@@ -318,6 +318,9 @@ typedef struct ledger {
     double start_total, start_gravity; /* J at step 0 */
 } ledger;
 
+/* What a scheme beside the leapfrog remembers (scheme.h). */
+typedef struct integrator integrator;
+
 struct clast_world {
     clast_world_def def;
     bool prepared;
@@ -334,6 +337,7 @@ struct clast_world {
     int material_count, shape_count, part_count, wall_count, wall_room;
 
     body_store bodies;
+    integrator *integrator; /* NULL in a world of the leapfrog */
     row_store rows;
     size_t sphere_count;
     load_scale load_scale;
@@ -465,6 +469,7 @@ void wall_join(clast_world *w, int wall, int other);
 void walls_link(clast_world *w);
 void walls_make_rows(clast_world *w);
 void walls_move(clast_world *w);
+void walls_move_to(clast_world *w, double time);
 bool wall_box(const wall *l, vec3 *low, vec3 *high);
 
 /* entry.c */
@@ -516,6 +521,18 @@ void contacts_restore(clast_world *w);
 void contacts_forget_springs(clast_world *w);
 stored_energy contacts_stored_energy(const clast_world *w);
 
+/* step.c */
+clast_status world_rebuild(clast_world *w);
+
+/* scheme_columns.c, scheme_step.c: schemes beside the leapfrog */
+void integrator_make(clast_world *w);
+void integrator_free(clast_world *w);
+void integrator_permute(clast_world *w, const uint32_t *order, void *scratch);
+void integrator_move(clast_world *w, size_t to, size_t from);
+double *integrator_kept(const clast_world *w, int k);
+void integrator_start(clast_world *w);
+clast_status integrator_step(clast_world *w);
+
 /* One entry of a list of contacts. */
 typedef struct contact_place {
     const contact_list *list;
@@ -526,6 +543,11 @@ typedef void contact_visitor(const clast_world *w, const contact_place *at, void
 void contacts_visit(const clast_world *w, contact_visitor *visit, void *context);
 stored_energy contact_stored_energy(const clast_world *w, const contact_place *at);
 double contact_smaller_radius(const clast_world *w, const contact_place *at);
+typedef struct contact_kind {
+    const pair_coef *coef;
+    double radius, mass; /* effective */
+} contact_kind;
+contact_kind contact_kind_of(const clast_world *w, const contact_place *at);
 
 /* Records with what the law says of them now, in the order of names. */
 typedef struct contact_reading {
@@ -537,6 +559,8 @@ size_t contacts_read(clast_world *w, contact_reading **readings); /* for free() 
 /* motion.c */
 void bodies_advance(clast_world *w);
 void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque);
+void loads_clear(clast_world *w);
+quat body_turned(const clast_world *w, size_t slot, quat q, vec3 momentum, double time);
 void velocities_start(clast_world *w);
 void velocities_synchronise(clast_world *w);
 typedef struct motion_books {
@@ -555,6 +579,7 @@ clast_status guards_check(clast_world *w);
 clast_status guards_check_start(clast_world *w);
 clast_status guards_check_energy(clast_world *w);
 clast_status guards_outside(clast_world *w);
+clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move);
 void bodies_leave(clast_world *w);
 clast_status timestep_choose(clast_world *w);
 double timestep_rayleigh(const clast_world *w);

@@ -279,6 +279,7 @@ static int plan(const arguments *a, const scene *s) {
                                   ? "mixed (positions, overlaps and sums double, the rest at "
                                     "contacts single)"
                                   : "double");
+    printf("scheme: %s\n", clast_scheme_info_of(def->scheme)->name);
     print_step(&p, def, s->step_given);
     int layer = find_layer(s); /* before the timing moves anything */
     double each = time_steps(s->world, a->steps);

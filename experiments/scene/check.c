@@ -298,6 +298,13 @@ static void check_measures(scene_reader *r, const scene_draft *d) {
     }
 }
 
+static void check_scheme(scene_reader *r, const scene_draft *d) {
+    const tree_node *time = tree_get(r->root, "time"), *newton = tree_get(time, "newton");
+    if (newton && !is_faulty(r, time, "scheme") && !clast_scheme_info_of(d->def.scheme)->implicit)
+        scene_warn(r->faults, newton->line, tree_path(r->arena, newton, NULL),
+                   "used by implicit schemes alone, has no effect here");
+}
+
 static void check_view(scene_reader *r, const scene_draft *d) {
     const tree_node *node = tree_get(r->root, "view");
     if (!node || node->kind != TREE_MAP) return;
@@ -324,6 +331,7 @@ void scene_check(scene_reader *r, const scene_draft *draft) {
     EACH(wall_item, wall, draft->walls) check_wall(r, wall);
     check_bodies(r, draft);
     check_measures(r, draft);
+    check_scheme(r, draft);
     check_view(r, draft);
     const tree_node *domain = tree_get(r->root, "domain");
     if (domain && !is_faulty(r, domain, NULL) &&

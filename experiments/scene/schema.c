@@ -28,6 +28,11 @@ static const char *const MOTIONS[] = {"3d", "in-plane x", "in-plane y", "in-plan
 static const char *const OUTSIDES[] = {"stop", "remove", NULL};
 static const char *const GUARDS[] = {"stop", "report", NULL};
 static const char *const ISAS[] = {"auto", "baseline", "avx2", "avx512", NULL};
+static const char *const SCHEMES[] = {
+    "leapfrog", "symplectic-euler", "taylor", "position-verlet", "velocity-verlet", "gear4",
+    "backward-euler", "beeman", "newmark-beta", "bdf2", "bdf4", "adams-moulton", "trapezoid",
+    "numerov-backward", "numerov-forward", "numerov-central", NULL};
+static const char *const SOLVERS[] = {"conjugate-gradient", "gauss-seidel", NULL};
 static const char *const PRECISIONS[] = {"double", "mixed", NULL};
 static const char *const ORIENTATIONS[] = {"fixed", "random", "random-in-plane", NULL};
 static const char *const PRESETS[] = {"draft", "final", NULL};
@@ -47,6 +52,8 @@ _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
 _Static_assert(CLAST_GUARD_STOP == 0 && CLAST_GUARD_REPORT == 1, "");
 _Static_assert(CLAST_ISA_AUTO == 0 && CLAST_ISA_BASELINE == 1 && CLAST_ISA_AVX2 == 2 &&
                CLAST_ISA_AVX512 == 3, "");
+_Static_assert(sizeof SCHEMES / sizeof *SCHEMES == CLAST_SCHEMES + 1, ""); /* a test has the names */
+_Static_assert(CLAST_SOLVER_CONJUGATE_GRADIENT == 0 && CLAST_SOLVER_GAUSS_SEIDEL == 1, "");
 _Static_assert(CLAST_PRECISION_DOUBLE == 0 && CLAST_PRECISION_MIXED == 1, "");
 _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HEIGHT == 2 &&
                COLOUR_BODY == 3, "");
@@ -320,6 +327,17 @@ static const scene_key REST_KEYS[] = {
 };
 TABLE(REST, "time.at_rest", scene_draft, REST_KEYS);
 
+static const scene_key NEWTON_KEYS[] = {
+    {"tolerance", KEY_NUMBER, UNIT_NUMBER, FIELD(def.newton_tolerance), WITHIN(0, 1),
+     .fallback = "1e-10",
+     .meaning = "no body moves farther in the last iteration, of the smallest radius"},
+    {"iterations", KEY_COUNT, FIELD(def.newton_iterations), RANGE(1, 10000), .fallback = "200",
+     .meaning = "most in a step; more are a failure for the guards"},
+    {"solver", KEY_CHOICE, FIELD(def.linear_solver), .choices = SOLVERS,
+     .fallback = "conjugate-gradient", .meaning = "of the linear system of an iteration"},
+};
+TABLE(NEWTON, "time.newton", scene_draft, NEWTON_KEYS);
+
 static const scene_key TIME_KEYS[] = {
     {"end", KEY_NUMBER, UNIT_TIME, FIELD(ending.latest), ABOVE(0), .required = true,
      .meaning = "simulated time at which the run ends at the latest"},
@@ -332,6 +350,9 @@ static const scene_key TIME_KEYS[] = {
      .fallback = "30", .meaning = "steps in the shortest expected contact"},
     {"impact_speed", KEY_NUMBER, UNIT_SPEED, FIELD(def.impact_speed), ABOVE(0), .word = "auto",
      .fallback = "auto", .meaning = "fastest expected impact; auto: of a fall through the domain"},
+    {"scheme", KEY_CHOICE, FIELD(def.scheme), .choices = SCHEMES, .fallback = "leapfrog",
+     .meaning = "of integration; all but leapfrog are for studies and slow"},
+    {"newton", KEY_SECTION, .section = &NEWTON, .meaning = "implicit schemes alone"},
 };
 TABLE(TIME, "time", scene_draft, TIME_KEYS);
 

@@ -31,6 +31,8 @@ static void world_definitions(void **state) {
         {FIELD(domain_max.y), NAN, "domain"},
         {FIELD(domain_max.y), INFINITY, "domain"},
         {FIELD(domain_min.x), -INFINITY, "domain"},
+        {FIELD(newton_tolerance), 0, "newton_tolerance"},
+        {FIELD(newton_tolerance), NAN, "newton_tolerance"},
         {FIELD(max_overlap), 0, "guard"},
         {FIELD(max_displacement), -1, "guard"},
         {FIELD(max_residual), NAN, "guard"},

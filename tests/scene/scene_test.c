@@ -2,6 +2,8 @@
  * README. */
 #include "tests/scene/testing.h"
 
+#include <unistd.h>
+
 #include "experiments/scene/build.h"
 #include "experiments/scene/rebound.h"
 #include "experiments/scene/scene.h"
@@ -197,6 +199,10 @@ static void the_world_is_defined(void **state) {
     SAME(d->rayleigh_fraction, 0.3);
     SAME(d->contact_resolution, 25);
     SAME(d->impact_speed, 2);
+    assert_int_equal(d->scheme, CLAST_SCHEME_BDF4);
+    SAME(d->newton_tolerance, 1e-9);
+    assert_int_equal(d->newton_iterations, 20);
+    assert_int_equal(d->linear_solver, CLAST_SOLVER_GAUSS_SEIDEL);
     same(d->domain_min, -3, -1, -1);
     same(d->domain_max, 3, 1, 4);
     assert_int_equal(d->outside, CLAST_OUTSIDE_REMOVE);
@@ -531,6 +537,27 @@ static void fitted_shapes_can_be_refitted(void **state) {
     free(faults);
 }
 
+/* The names of the engine's table, in its order. */
+static void every_scheme_has_its_name(void **state) {
+    (void)state;
+    char path[] = "/tmp/clast-scheme-XXXXXX", text[1000];
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    close(file);
+    char *small = read_all(SMALL, NULL), *time = strstr(small, "time: {");
+    assert_non_null(time);
+    for (int k = 0; k < CLAST_SCHEMES; k++) {
+        int length = snprintf(text, sizeof text, "%.*stime: {scheme: %s, %s", (int)(time - small),
+                              small, clast_scheme_info_of((clast_scheme)k)->name, time + 7);
+        write_all(path, text, (size_t)length);
+        scene *s = load(path, NULL, 0);
+        assert_int_equal(clast_world_definition(s->world)->scheme, k);
+        scene_free(s);
+    }
+    unlink(path);
+    free(small);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_good_scene_has_every_key),
@@ -552,6 +579,7 @@ int main(void) {
         cmocka_unit_test(the_example_of_the_readme_is_a_scene),
         cmocka_unit_test(a_pair_rebounds_as_it_was_asked),
         cmocka_unit_test(fitted_shapes_can_be_refitted),
+        cmocka_unit_test(every_scheme_has_its_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

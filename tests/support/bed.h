@@ -15,6 +15,7 @@ typedef struct bed_wish {
     double rolling;
     clast_tangent tangent;
     clast_precision precision;
+    clast_scheme scheme;
 } bed_wish;
 
 /* NULL never comes back: a bed that cannot be made stops the program. */

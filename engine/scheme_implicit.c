@@ -1,0 +1,216 @@
+/* scheme_implicit.c - steps whose new positions depend on the forces there:
+ *
+ *     x1 = X0 + dt^2 (b a(x1, v1) + d dashpots(x1, v1)),    v1 linear in x1,
+ *
+ * for the translations of all bodies at once, by Newton's method (S12 3.7). Contacts are looked for
+ * at every iteration (S12 3.8.1). The Jacobian has its rows multiplied by the masses, which makes
+ * it symmetric (S12 3.47-3.50 is so for equal masses alone); it is in scheme_bonds.c. Rotation is
+ * not implicit: torques are the mean of those at both ends of the step (S12 3.8.5), orientations go
+ * by the torque at the start.
+ *
+ * Rows of the system are in the order of the bodies' ids, and contacts are added in the order of
+ * their names, so the bits do not depend on storage or threads. */
+#include <string.h>
+
+#include "engine/scheme.h"
+
+static const vec3 NOTHING = {0, 0, 0};
+
+/* ---- room ------------------------------------------------------------------------------------ */
+
+static void reserve(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    size_t rows = w->bodies.count, limit = (size_t)w->def.newton_iterations;
+    if (!n->history) n->history = memory_grow(w, NULL, 0, limit, sizeof *n->history);
+    if (rows <= n->row_room) return;
+    double **columns[] = {&n->residual, &n->move, &n->last, &n->reach, &n->scratch};
+    size_t width[] = {3, 3, 3, 2, SPARSE_SCRATCH};
+    for (int k = 0; k < 5; k++)
+        *columns[k] =
+            memory_grow(w, *columns[k], width[k] * n->row_room, width[k] * rows, sizeof(double));
+    n->row_room = rows;
+}
+
+/* ---- the system ------------------------------------------------------------------------------ */
+
+/* What is known of the new position, and the first guess: with the forces of the start, which a
+ * body in free flight keeps. (S12 starts from the old position.) */
+static void guess(clast_world *w) {
+    integrator *s = w->integrator;
+    const clast_scheme_info *info = s->info;
+    double dt2 = w->dt * w->dt;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        vec3 known = rule_position(s, &info->keep, i, w->dt, NOTHING);
+        if (info->splits)
+            known = v3_add(known, v3_scale(dt2 * info->dashpot, triple_at(s, DASHPOT, i)));
+        triple_put(s, KNOWN, i, known);
+        vec3 a = triple_at(s, A_AGO, i);
+        body_place(w, i, v3_add(known, v3_scale(dt2 * info->keep.a_next, a)));
+    }
+    turn_bodies(w, 1);
+}
+
+/* Forces at the iterate. */
+static void evaluate(clast_world *w) {
+    const clast_scheme_info *info = w->integrator->info;
+    if (info->splits && info->dashpot_next > 0) {
+        split_forces(w);
+        return;
+    }
+    if (info->splits) {
+        elastic_forces(w, 0.5 * w->dt);
+        return;
+    }
+    feel_velocities(w);
+    trial_try(w, 0.5 * w->dt);
+    take_accelerations(w, A_NEXT);
+}
+
+/* kg m: what the equation of each body misses, times minus its mass. */
+static void find_residual(clast_world *w) {
+    integrator *s = w->integrator;
+    const clast_scheme_info *info = s->info;
+    double dt2 = w->dt * w->dt;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        vec3 push = v3_scale(info->keep.a_next, triple_at(s, A_NEXT, i));
+        if (info->splits)
+            push = v3_add(push, v3_scale(info->dashpot_next, triple_at(s, DASHPOT, i)));
+        vec3 miss =
+            v3_sub(v3_add(triple_at(s, KNOWN, i), v3_scale(dt2, push)), body_position(w, i));
+        miss = v3_scale(w->shapes[w->bodies.shape[i]].mass, miss);
+        double *to = s->newton.residual + 3 * (size_t)s->newton.rank[w->bodies.id[i]];
+        to[0] = miss.x, to[1] = miss.y, to[2] = miss.z;
+    }
+}
+
+static vec3 v3_of(const double *d) {
+    return v3(d[0], d[1], d[2]);
+}
+
+/* Newton's method can go to and fro across a kink: a contact that opens and closes from iterate to
+ * iterate, a friction that slips and sticks. A body that turns back goes half its last way at most,
+ * and half of that next, which closes in on the place; when it then wants on in one direction it
+ * may go farther again. The linear law with a dashpot even jumps when a contact begins, so that no
+ * position balances the forces: the place of the jump is what a step ends at. */
+static vec3 held_move(newton_store *n, size_t row) {
+    vec3 move = v3_of(n->move + 3 * row), last = v3_of(n->last + 3 * row);
+    double *most = &n->reach[2 * row], *onwards = &n->reach[2 * row + 1], way = v3_norm(move);
+    bool returns = v3_dot(move, last) < 0 && way > 0.25 * v3_norm(last);
+    *onwards = returns ? 0 : *onwards + 1;
+    *most = returns ? 0.5 * v3_norm(last) : *onwards < 2 ? 0.5 * *most : 2 * *most;
+    return way > *most ? v3_scale(*most / way, move) : move;
+}
+
+/* Returns how far the body moves that moves farthest (m); not a number where one is not. */
+static double move_bodies(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    double most = 0;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        size_t row = n->rank[w->bodies.id[i]];
+        vec3 move = held_move(n, row);
+        n->last[3 * row] = move.x, n->last[3 * row + 1] = move.y, n->last[3 * row + 2] = move.z;
+        double way = v3_norm(move);
+        if (way < INFINITY) body_place(w, i, v3_add(body_position(w, i), move));
+        if (!(way <= most) && most == most) most = way;
+    }
+    return most;
+}
+
+/* ---- Newton's method ------------------------------------------------------------------------- */
+
+static void iterate(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    evaluate(w);
+    bonds_rank(w);
+    find_residual(w);
+    bonds_assemble(w, w->integrator->info);
+    double tolerance = 1e-3 * w->def.newton_tolerance * w->smallest_radius;
+    bool relax = w->def.linear_solver == CLAST_SOLVER_GAUSS_SEIDEL;
+    sparse_solver *solve = relax ? sparse_gauss_seidel : sparse_conjugate_gradient;
+    memset(n->move, 0, 3 * n->rows * sizeof *n->move);
+    w->counters.linear_iterations += solve(&n->matrix, n->residual, n->move, n->scratch, tolerance);
+}
+
+static void find_root(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    double tolerance = w->def.newton_tolerance * w->smallest_radius, way = 0;
+    memset(n->last, 0, 3 * n->row_room * sizeof *n->last);
+    for (size_t k = 0; k < 2 * n->row_room; k++) n->reach[k] = k % 2 ? 0 : INFINITY;
+    n->converged = false;
+    n->iterations = 0;
+    while (n->iterations < w->def.newton_iterations && !n->converged && way < INFINITY) {
+        iterate(w);
+        n->history[n->iterations++] = way = move_bodies(w);
+        n->converged = way <= tolerance;
+    }
+}
+
+/* The body that moved farthest in the last iteration, of equals the one of lowest id. */
+static clast_status complain(clast_world *w) {
+    const newton_store *n = &w->integrator->newton;
+    double most = -1;
+    size_t who = 0;
+    for (uint32_t id = 0; id < w->next_id; id++) {
+        if (w->slot_of_id[id] < 0) continue;
+        double way = v3_norm(v3_of(n->last + 3 * (size_t)n->rank[id]));
+        if (!(way <= most)) most = way, who = (size_t)w->slot_of_id[id];
+    }
+    w->counters.unconverged++;
+    return guards_unconverged(w, who, n->iterations, most);
+}
+
+/* ---- the step -------------------------------------------------------------------------------- */
+
+/* `dashpots`: the columns with those of this step. */
+static void keep_velocities(clast_world *w, int dashpots) {
+    const integrator *s = w->integrator;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        vec3 v = rule_velocity(s, &s->info->kept, i, w->dt, body_position(w, i),
+                               triple_at(s, A_NEXT, i));
+        if (s->info->splits) v = v3_add(v, v3_scale(0.5 * w->dt, triple_at(s, dashpots, i)));
+        body_speed_up(w, i, v);
+    }
+}
+
+/* For a scheme that splits: forces at the new positions, and velocities with the dashpots of this
+ * step: those of its end, or those of its start, which new ones take the place of. */
+static void end_split(clast_world *w) {
+    integrator *s = w->integrator;
+    int dashpots = s->info->dashpot > 0 ? KNOWN : DASHPOT;
+    for (size_t i = 0; i < w->bodies.count; i++) triple_put(s, KNOWN, i, triple_at(s, DASHPOT, i));
+    split_forces(w);
+    keep_velocities(w, dashpots);
+}
+
+clast_status step_implicit(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    bool splits = w->integrator->info->splits;
+    reserve(w);
+    guess(w);
+    find_root(w);
+    clast_counters *c = &w->counters;
+    c->newton_iterations += (uint64_t)n->iterations;
+    if ((uint64_t)n->iterations > c->newton_most) c->newton_most = (uint64_t)n->iterations;
+    if (!n->converged) {
+        clast_status status = complain(w);
+        if (status) return status;
+    }
+    if (splits)
+        end_split(w);
+    else
+        feel_velocities(w);
+    correct_momenta(w);
+    if (!splits) keep_velocities(w, DASHPOT);
+    clast_status status = step_settle(w);
+    if (status) return status;
+    c->force_evaluations++;
+    take_accelerations(w, splits ? KNOWN : A_NEXT);
+    return CLAST_OK;
+}
+
+clast_newton clast_world_newton(const clast_world *w) {
+    CLAST_ASSERT(w);
+    if (!w->integrator) return (clast_newton){true, 0, NULL};
+    const newton_store *n = &w->integrator->newton;
+    return (clast_newton){n->converged || n->iterations == 0, n->iterations, n->history};
+}
