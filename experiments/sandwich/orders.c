@@ -75,7 +75,7 @@ static errors bounce(clast_scheme scheme, double restitution, double n) {
 /* Least squares through the logarithms of the finest points above what rounding leaves. */
 static double slope(const convergence *c, const double *error) {
     enum { FITTED = 3 };
-    const double rounding = 3e-10;
+    const double rounding = 1e-9;
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     int n = 0;
     for (int i = c->count - 1; i >= 0 && n < FITTED; i--) {
