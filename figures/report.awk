@@ -215,7 +215,7 @@ function facts(    keys, n, i, key, file, links) {
         gsub(/_/, " ", key); sub(/wall s/, "wall time (s)", key); sub(/worst residual/, "largest energy residual", key)
         printf "<tr><th>%s</th><td>%s</td></tr>\n", key, escape(about[keys[i]])
     }
-    n = split("verdicts summary rates cumulative beverloo velocity_samples velocity_fit surface sensitivity profile", keys, " ")
+    n = split("verdicts summary rates cumulative beverloo velocity_samples velocity_fit surface sensitivity profile curves scan restitution schemes errors statements onset positions steps approach theory limits quiet orders slopes", keys, " ")
     for (i = 1; i <= n; i++) {
         file = study "/data/" keys[i] ".csv"
         if (exists(out "/" file)) links = links " <a href=\"" file "\">" keys[i] ".csv</a>"

@@ -1,0 +1,8 @@
+# title: Explicit schemes, 8 steps per contact, without damping
+# counterpart: S12 Figs 2.28 and 2.29
+# needs: schemes.csv
+# caption: Linear spring-dashpot, one ball against a wall, the touch on a step. Velocity over that of the impact, positions as overlap over the largest without damping. Position Verlet's velocity is that of S12 2.68, one step behind; symplectic Euler passes the positions of velocity Verlet, as does position Verlet without damping: one mark hides the other.
+width = 17; height = 8.5
+load style
+R = 8; E = 1
+load tools.'/collision/explicit.gpi'
