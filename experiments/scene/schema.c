@@ -52,7 +52,8 @@ _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
 _Static_assert(CLAST_GUARD_STOP == 0 && CLAST_GUARD_REPORT == 1, "");
 _Static_assert(CLAST_ISA_AUTO == 0 && CLAST_ISA_BASELINE == 1 && CLAST_ISA_AVX2 == 2 &&
                CLAST_ISA_AVX512 == 3, "");
-_Static_assert(sizeof SCHEMES / sizeof *SCHEMES == CLAST_SCHEMES + 1, ""); /* a test has the names */
+/* a test has the names */
+_Static_assert(sizeof SCHEMES / sizeof *SCHEMES == CLAST_SCHEMES + 1, "");
 _Static_assert(CLAST_SOLVER_CONJUGATE_GRADIENT == 0 && CLAST_SOLVER_GAUSS_SEIDEL == 1, "");
 _Static_assert(CLAST_PRECISION_DOUBLE == 0 && CLAST_PRECISION_MIXED == 1, "");
 _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HEIGHT == 2 &&
