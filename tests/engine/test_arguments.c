@@ -49,6 +49,16 @@ static void world_definitions(void **state) {
     }
     for (int i = 0; i < 4; i++) {
         clast_world_def def = clast_world_def_default();
+        if (i == 0) def.scheme = (clast_scheme)-1;
+        if (i == 1) def.scheme = (clast_scheme)CLAST_SCHEMES;
+        if (i == 2) def.newton_iterations = 0;
+        if (i == 3) def.linear_solver = (clast_linear_solver)2;
+        static const char *const says[4] = {"scheme", "scheme", "newton_iterations", "solver"};
+        assert_null(clast_world_new(&def));
+        assert_non_null(strstr(clast_world_new_error(), says[i]));
+    }
+    for (int i = 0; i < 4; i++) {
+        clast_world_def def = clast_world_def_default();
         if (i < 2) def.plane_axis = i ? 3 : -1;
         else def.threads = i == 2 ? -1 : 1025;
         assert_null(clast_world_new(&def));
