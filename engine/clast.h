@@ -31,6 +31,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "engine/clast_law.h"
+
 #define CLAST_VERSION "0.1.0"
 
 typedef struct clast_vec3 {
@@ -65,8 +67,9 @@ typedef enum clast_law {
                                 impact_speed, S12 2.29-2.35 */
     CLAST_LAW_HOOKE,         /* the same; stiffness 4/3 E* R*, S12 2.36 */
     CLAST_LAW_HERTZ_BRILLIANTOV, /* viscoelastic Hertz: restitution falls with speed, S12 2.37 */
-    CLAST_LAW_WALTON_BRAUN       /* plastic: loads at the pair's stiffness k1, unloads and loads
+    CLAST_LAW_WALTON_BRAUN,      /* plastic: loads at the pair's stiffness k1, unloads and loads
                                     again at k2 = k1 / e^2; no normal dashpot, S12 2.47-2.52 */
+    CLAST_LAW_USER               /* of your own: clast_world_use_law() */
 } clast_law;
 
 /* What is friction before it slides. */
@@ -217,11 +220,20 @@ typedef struct clast_pair_def {
     double dissipation;      /* s, A of S12 2.37, Brilliantov only (3/2 of the A of Brilliantov et
                                 al.); 0 solves it for restitution at reference_speed */
     double reference_speed;  /* m/s, Brilliantov only; 0 reads as the impact speed of the world */
+    double parameter[CLAST_LAW_PARAMETERS]; /* of a law of the user's own, which reads friction and
+                                               cohesion beside them and no restitution */
 } clast_pair_def;
 
 /* Every pair of materials that can touch must be set before the first step. */
 clast_status clast_pair_set(clast_world *w, int material_a, int material_b,
                             const clast_pair_def *def);
+
+/* Loads the law of a world of CLAST_LAW_USER, before the first step: `name` is a clast_law_entry in
+ * the shared object `path` (clast_law.h; without a slash it is looked for where the system keeps
+ * libraries). In double precision, with the leapfrog or an explicit scheme. The same bits are not
+ * promised in such a world. CLAST_ERR_OPEN, CLAST_ERR_FORMAT (nothing of that name),
+ * CLAST_ERR_VERSION or CLAST_ERR_ARGUMENT. */
+clast_status clast_world_use_law(clast_world *w, const char *path, const char *name);
 
 typedef struct clast_shape_def {
     const char *name;

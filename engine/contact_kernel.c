@@ -4,6 +4,9 @@
  * the bits are the same for all instruction sets. */
 #include "engine/geometry.h"
 #include "engine/wall_lanes.h"
+#ifndef CLAST_SINGLE
+#include "engine/contact_user.h"
+#endif
 
 #ifndef CLAST_KERNEL
 #error "compile with -DCLAST_KERNEL=contact_kernel_<isa>"
@@ -21,7 +24,7 @@ typedef struct pass {
     contact_mode mode;
     bool with_walls, far; /* far: rows do not fit into the second-level cache */
     bool around;          /* something of "around the law" is needed */
-    bool yields, springs, rolls;
+    bool yields, springs, rolls, user;
     law_need need;
     law_choice choice;
     contact_tally tally;
@@ -434,6 +437,23 @@ static void after_law(pass *p, size_t begin, int padded) {
 
 /* ---- the law --------------------------------------------------------------------------------- */
 
+/* The user's own in the place of the lanes; what only pads the batch is apart and at rest. */
+static void run_user(pass *p, size_t begin, int count, int padded) {
+    batch *b = &p->b;
+    (void)begin; /* not read in mixed precision */
+#ifndef CLAST_SINGLE
+    history_lanes h = history_at(p->list, begin);
+    for (int i = 0; i < count; i++) {
+        contact_place at = {p->list, begin + (size_t)i, p->with_walls};
+        user_law_lane(p->w, &at, b, h, i, p->choice, p->need);
+    }
+#endif
+    for (int i = count; i < padded; i++) {
+        b->elastic[i] = b->dashpot[i] = 0;
+        for (int k = 0; k < 3; k++) b->f[k][i] = b->ta[k][i] = b->tb[k][i] = 0;
+    }
+}
+
 LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
     batch *b = &p->b;
     law_choice choice = p->choice;
@@ -605,7 +625,10 @@ LANE_INLINE void run_list(pass *p, law_need need) {
             touch_spheres(p, padded, need);
         prefetch_piece(p, begin, 0, need);
         if (p->around) before_law(p, begin, count, padded);
-        run_lanes(p, begin, padded, need);
+        if (p->user)
+            run_user(p, begin, count, padded);
+        else
+            run_lanes(p, begin, padded, need);
         if (p->around) after_law(p, begin, padded);
         prefetch_piece(p, begin, 4, need);
         tally_lanes(p, padded);
@@ -678,9 +701,10 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
     const clast_law_info *law = clast_law_info_of(w->def.law);
     p.yields = law->yields, p.springs = k->spring, p.rolls = k->rolling;
+    p.user = w->def.law == CLAST_LAW_USER;
     p.around = p.yields || p.rolls || w->def.law == CLAST_LAW_HERTZ_BRILLIANTOV ||
                w->def.law == CLAST_LAW_HOOKE || w->def.law == CLAST_LAW_MAW;
-    bool equal = k->one_kind && !k->clumps && !k->rolling; /* that needs both spins */
+    bool equal = k->one_kind && !k->clumps && !k->rolling && !p.user; /* those need both spins */
     p.need = (law_need){law->linear, k->tangent, k->flat, k->clumps, equal};
     p.choice = choice_of(w, mode);
     p.tally = (contact_tally){.contacts = 0};

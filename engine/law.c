@@ -11,6 +11,7 @@ static const clast_law_info LAWS[] = {
     [CLAST_LAW_HOOKE] = {"hooke", .linear = true},
     [CLAST_LAW_HERTZ_BRILLIANTOV] = {"hertz-brilliantov", .dissipation = true},
     [CLAST_LAW_WALTON_BRAUN] = {"walton-braun", .linear = true, .stiffness = true, .yields = true},
+    [CLAST_LAW_USER] = {"user", .linear = true, .spring = true},
 };
 
 const clast_law_info *clast_law_info_of(clast_law law) {
@@ -181,6 +182,8 @@ void law_prepare(clast_world *w) {
 /* While it loads for the first time; effective radius and mass. */
 double law_elastic_force(const clast_world *w, const pair_coef *c, double radius, double mass,
                          double overlap) {
+    if (w->def.law == CLAST_LAW_USER)
+        return user_law_elastic_force(w, c, radius, mass, overlap);
     if (w->def.law == CLAST_LAW_WALTON_BRAUN) return c->stiffness * overlap;
     if (clast_law_info_of(w->def.law)->linear)
         return c->k_normal * law_scale(w->def.law, radius, mass) * overlap;
@@ -189,6 +192,7 @@ double law_elastic_force(const clast_world *w, const pair_coef *c, double radius
 
 stored_energy law_stored_energy(const clast_world *w, const pair_coef *c, double radius,
                                 double mass, const history *h) {
+    if (w->def.law == CLAST_LAW_USER) return user_law_stored_energy(w, c, radius, mass, h);
     double s2 = v3_dot(h->spring, h->spring), d = h->overlap;
     if (clast_law_info_of(w->def.law)->linear) {
         double scale = law_scale(w->def.law, radius, mass), rest = d - h->plastic;

@@ -215,6 +215,7 @@ void trial_undo(clast_world *w) {
 
 /* Whether any force of this world depends on velocities. */
 bool trial_needs_velocity(const clast_world *w) {
+    if (w->def.law == CLAST_LAW_USER) return true;
     if (w->special.tangent || w->special.rolling || w->def.global_damping > 0) return true;
     for (int i = 0; i < w->material_count * w->material_count; i++)
         if (w->coefs[i].set && (w->coefs[i].c_normal > 0 || w->coefs[i].yield > 0)) return true;

@@ -94,6 +94,9 @@ static clast_status check_plane(clast_world *w) {
 static clast_status prepare_checked(clast_world *w) {
     if (w->shape_count == 0)
         return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "the scene has no shape");
+    if (w->def.law == CLAST_LAW_USER && !w->user_law.force)
+        return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT,
+                                        "the contact law is missing: clast_world_use_law()");
     clast_status s = check_pairs(w);
     if (s) return s;
     s = check_plane(w);

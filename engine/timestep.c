@@ -48,6 +48,10 @@ typedef struct stiffest {
 static stiffest contact_of(const clast_world *w, double mass, double radius, const pair_coef *c,
                            double v) {
     const clast_law_info *law = clast_law_info_of(w->def.law);
+    if (w->def.law == CLAST_LAW_USER) {
+        double own = sqrt(user_law_stiffness(w, c, radius, mass, v) / mass);
+        return (stiffest){NUMBER_PI / own, 2 / own};
+    }
     if (law->linear) {
         double omega = sqrt(c->k_normal * law_scale(w->def.law, radius, mass) / mass);
         double loading = law->yields ? sqrt(c->stiffness / mass) : omega;

@@ -76,7 +76,8 @@ clast_world *clast_world_new(const clast_world_def *def) {
     clast_world *w = calloc(1, sizeof *w);
     CLAST_ASSERT(w);
     w->def = *def;
-    w->history_columns = clast_law_info_of(def->law)->yields ? HISTORY_COLUMNS : HISTORY_PLASTIC;
+    bool remembers = clast_law_info_of(def->law)->yields || def->law == CLAST_LAW_USER;
+    w->history_columns = remembers ? HISTORY_COLUMNS : HISTORY_PLASTIC;
     w->counters.bytes = sizeof *w;
     return w;
 }
@@ -98,6 +99,7 @@ void clast_world_free(clast_world *w) {
     if (!w) return;
     free_scene(w);
     integrator_free(w);
+    user_law_free(w);
     shares_free(w);
 #define X(type, name) free(w->bodies.name);
     BODY_COLUMNS(X)
@@ -157,7 +159,8 @@ static const char *pair_fault(const clast_world *w, const clast_pair_def *d) {
     const clast_law_info *law = clast_law_info_of(w->def.law);
     if (law->dissipation && !is_size(d->dissipation)) return "dissipation is below zero";
     if (law->dissipation && !is_size(d->reference_speed)) return "reference_speed is below zero";
-    if (!dissipation_is_given(w, d) && !(d->restitution > 0.01 && d->restitution <= 1))
+    bool solved = w->def.law != CLAST_LAW_USER && !dissipation_is_given(w, d);
+    if (solved && !(d->restitution > 0.01 && d->restitution <= 1))
         return "restitution is not in (0.01, 1]";
     if (!is_size(d->friction)) return "friction is below zero";
     if (!is_size(d->cohesion)) return "cohesion is below zero";
@@ -185,7 +188,7 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
         return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "pair %s / %s: %s", ma->name,
                                         mb->name, fault);
     double ga = ma->young / (2 * (1 + ma->poisson)), gb = mb->young / (2 * (1 + mb->poisson));
-    bool given = dissipation_is_given(w, d);
+    bool given = dissipation_is_given(w, d) || w->def.law == CLAST_LAW_USER;
     pair_coef c = {
         .set = true,
         .e_star = 1 / ((1 - ma->poisson * ma->poisson) / ma->young +
@@ -203,6 +206,7 @@ clast_status clast_pair_set(clast_world *w, int a, int b, const clast_pair_def *
         .restitution = given ? 0 : d->restitution,
         .rolling = d->rolling_friction,
     };
+    memcpy(c.parameter, d->parameter, sizeof c.parameter);
     w->coefs[a * w->material_count + b] = w->coefs[b * w->material_count + a] = c;
     if (w->prepared) law_prepare_pair(w, a, b);
     return CLAST_OK;

@@ -109,6 +109,7 @@ typedef struct pair_coef {
                                  */
     double c_normal, c_tangent; /* dashpots per sqrt(a m): 2 ratio sqrt(k); Brilliantov: per a */
     double yield;               /* Walton-Braun: plastic over largest overlap, 1 - k1 / k2 */
+    double parameter[CLAST_LAW_PARAMETERS]; /* of a law of the user's own */
 } pair_coef;
 
 typedef struct shape {
@@ -176,7 +177,8 @@ typedef struct history {
     double overlap; /* m */
     double normal;  /* N, elastic and dashpot */
     vec3 spring;    /* N, tangential spring force on a */
-    double plastic; /* m, overlap at which unloading ends; 0 but for Walton-Braun */
+    double plastic; /* m, overlap at which unloading ends; 0 but for Walton-Braun. A law of the
+                       user's own keeps its memory here */
 } history;
 
 /* Columns of a history: overlap, normal force, spring in the kernel frame, and in worlds with a law
@@ -321,8 +323,15 @@ typedef struct ledger {
 /* What a scheme beside the leapfrog remembers (scheme.h). */
 typedef struct integrator integrator;
 
+/* A law that the user brought, and where it came from. */
+typedef struct user_law {
+    void *library;
+    clast_law_function *force;
+} user_law;
+
 struct clast_world {
     clast_world_def def;
+    user_law user_law;
     bool prepared;
     int history_columns; /* HISTORY_COLUMNS, or HISTORY_PLASTIC */
     uint64_t step;
@@ -453,6 +462,15 @@ typedef void law_visitor(const clast_world *w, const pair_coef *c, double mass, 
 void law_each_contact(const clast_world *w, law_visitor *visit, void *context);
 void law_prepare_pair(clast_world *w, int material_a, int material_b);
 void law_prepare(clast_world *w);
+
+/* contact_user.c */
+void user_law_free(clast_world *w);
+double user_law_elastic_force(const clast_world *w, const pair_coef *c, double radius, double mass,
+                              double overlap);
+stored_energy user_law_stored_energy(const clast_world *w, const pair_coef *c, double radius,
+                                     double mass, const history *h);
+double user_law_stiffness(const clast_world *w, const pair_coef *c, double radius, double mass,
+                          double speed);
 
 /* rows.c */
 void rows_layout(clast_world *w);

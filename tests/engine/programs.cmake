@@ -26,6 +26,16 @@ add_law_lanes(avx512 -O3 -fopenmp-simd -mavx512f -mavx512dq -mavx512vl -mavx512b
 add_test(NAME engine_law_lanes COMMAND engine_law_lanes)
 clast_label(engine_law_lanes)
 
+# laws of the user's own, for engine_test_user_law
+foreach(law linear example)
+    add_library(user_law_${law} MODULE engine/user_law_${law}.c)
+    target_link_libraries(user_law_${law} PRIVATE clast_flags)
+    string(TOUPPER ${law} LAW)
+    target_compile_definitions(engine_test_user_law PRIVATE
+        USER_LAW_${LAW}="$<TARGET_FILE:user_law_${law}>")
+    add_dependencies(engine_test_user_law user_law_${law})
+endforeach()
+
 # the program that engine/README.md shows: built from the public header alone, run, compared
 add_executable(engine_example_thirty_lines engine/example_thirty_lines.c)
 target_link_libraries(engine_example_thirty_lines PRIVATE clast_engine)

@@ -1,0 +1,248 @@
+/* Laws of the user's own in shared objects: the linear law once more beside the engine's, the
+ * example against its closed form, and what is said when a law cannot be had. */
+#include "tests/support/collision.h"
+
+static const char LINEAR[] = USER_LAW_LINEAR, EXAMPLE[] = USER_LAW_EXAMPLE;
+static const double STIFF = 9100, TANGENT = 2600, RATIO = 0.17, MU = 0.31;
+
+/* ---- the linear law, twice ------------------------------------------------------------------- */
+
+static clast_pair_def linear_pair(void) {
+    return (clast_pair_def){.restitution = clast_restitution(CLAST_LAW_LINEAR, RATIO),
+                            .friction = MU,
+                            .cohesion = 3e-4,
+                            .stiffness = STIFF,
+                            .tangential_ratio = TANGENT / STIFF,
+                            .parameter = {STIFF, TANGENT, RATIO}};
+}
+
+/* A ball meets an uneven rod above a floor, sliding and spinning. */
+static clast_world *scene_of(bool own, clast_motion motion) {
+    clast_world_def def = bare_def(own ? CLAST_LAW_USER : CLAST_LAW_LINEAR);
+    def.gravity = (clast_vec3){0, 0, -9.81};
+    def.motion = motion;
+    def.time_step = 4e-6;
+    def.max_residual = 1e9;
+    clast_world *w = new_world(&def);
+    if (own) assert_int_equal(clast_world_use_law(w, LINEAR, "linear_again"), CLAST_OK);
+    clast_pair_def pair = linear_pair();
+    two_materials m = add_materials(w, &pair);
+    int ball = clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
+    int rod = add_uneven_rod(w, m.hard, 0.0042);
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "floor"}), m.hard, vec(0, 0, 0),
+              vec(0, 0, 1));
+    bool space = motion == CLAST_MOTION_3D;
+    add_body(w, rod, vec(0, 0, 0.0062), vec(0.2, 0, -0.3), vec(0, 11, 0));
+    add_body(w, ball, vec(0.001, space ? 0.0007 : 0, 0.0172), vec(-0.4, 0, -0.9),
+             vec(space ? 31 : 0, -54, space ? 13 : 0));
+    return w;
+}
+
+static double difference(clast_vec3 a, clast_vec3 b) {
+    return norm(minus(a, b));
+}
+
+/* Largest difference of a contact force, of the largest force so far. */
+static void compare_forces(clast_world *one, clast_world *other, double *most, double *worst) {
+    clast_contact a[16], b[16];
+    size_t n = clast_world_contacts(one, a, 16);
+    assert_int_equal(n, clast_world_contacts(other, b, 16));
+    for (size_t i = 0; i < n; i++) {
+        *most = fmax(*most, norm(a[i].force));
+        *worst = fmax(*worst, difference(a[i].force, b[i].force));
+    }
+}
+
+static void compare_linear(clast_motion motion) {
+    clast_world *own = scene_of(true, motion), *built_in = scene_of(false, motion);
+    double most = 0, worst = 0;
+    int touching = 0;
+    for (int i = 0; i < 2500; i++) {
+        steps(own, 1), steps(built_in, 1);
+        compare_forces(own, built_in, &most, &worst);
+        touching += contact_count(own) > 0;
+    }
+    print_message("linear law as a law of the user's own: %d steps in contact, "
+                  "forces differ by "
+                  "%.1e of the largest\n",
+                  touching, worst / most);
+    assert_true(touching > 300);
+    CHECK_BELOW(worst, 1e-12 * most);
+    clast_energy a = clast_world_energy(own), b = clast_world_energy(built_in);
+    CHECK_NEAR(a.elastic, b.elastic, 1e-12 * a.input);
+    CHECK_NEAR(a.damping, b.damping, 1e-12 * a.input);
+    CHECK_NEAR(a.friction, b.friction, 1e-12 * a.input);
+    CHECK_NEAR(a.residual, b.residual, 1e-12 * a.input);
+    clast_world_free(own), clast_world_free(built_in);
+}
+
+static void linear_law_is_the_engines_in_space(void **state) {
+    (void)state;
+    compare_linear(CLAST_MOTION_3D);
+}
+
+static void linear_law_is_the_engines_in_a_plane(void **state) {
+    (void)state;
+    compare_linear(CLAST_MOTION_IN_PLANE);
+}
+
+/* ---- a law that remembers ------------------------------------------------------------------- */
+
+static clast_world *plastic_scene(bool own) {
+    clast_world_def def = bare_def(own ? CLAST_LAW_USER : CLAST_LAW_WALTON_BRAUN);
+    def.gravity = (clast_vec3){0, 0, -9.81};
+    def.time_step = 4e-6;
+    def.max_residual = 1e9;
+    clast_world *w = new_world(&def);
+    if (own) assert_int_equal(clast_world_use_law(w, LINEAR, "plastic_again"), CLAST_OK);
+    clast_pair_def pair = {
+        .restitution = 0.6, .stiffness = STIFF, .parameter = {STIFF, STIFF / 0.36}};
+    two_materials m = add_materials(w, &pair);
+    int ball = clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "floor"}), m.hard, vec(0, 0, 0),
+              vec(0, 0, 1));
+    add_body(w, ball, vec(0, 0, 0.0032), vec(0, 0, -0.4), vec(0, 0, 0));
+    add_body(w, ball, vec(0.0004, 0, 0.0096), vec(0, 0, -0.8), vec(0, 0, 0));
+    return w;
+}
+
+/* The one in the middle unloads and is hit again. */
+static void memory_is_kept_as_a_plastic_overlap(void **state) {
+    (void)state;
+    clast_world *own = plastic_scene(true), *built_in = plastic_scene(false);
+    double most = 0, worst = 0;
+    for (int i = 0; i < 2000; i++) {
+        steps(own, 1), steps(built_in, 1);
+        compare_forces(own, built_in, &most, &worst);
+    }
+    print_message("Walton-Braun likewise: forces differ by %.1e of the largest\n", worst / most);
+    assert_true(most > 0.3);
+    CHECK_BELOW(worst, 1e-12 * most);
+    clast_world_free(own), clast_world_free(built_in);
+}
+
+/* ---- the example ----------------------------------------------------------------------------- */
+
+/* With u = delta'^2 both ways are linear in u: on the way in u' = -a u - b x, a = 2q/m, b = 2k/m,
+ * on the way out u' = a u - b x; the force ends at x_r = x_m - ln(1 + a x_m)/a with u = (b/a) x_r.
+ */
+static double quadratic_restitution(double k, double q, double m, double v) {
+    double a = 2 * q / m, b = 2 * k / m, low = 0, high = v * sqrt(m / k);
+    for (int i = 0; i < 80; i++) {
+        double x = 0.5 * (low + high);
+        double u = (v * v - b / (a * a)) * exp(-a * x) + b / (a * a) - b / a * x;
+        if (u > 0)
+            low = x;
+        else
+            high = x;
+    }
+    double left = low - log1p(a * low) / a;
+    return sqrt(b / a * left) / v;
+}
+
+static double quadratic_rebound(double q, double speed, double dt) {
+    clast_world_def def = bare_def(CLAST_LAW_USER);
+    def.time_step = dt;
+    def.max_residual = def.max_displacement = 1e9;
+    clast_world *w = new_world(&def);
+    assert_int_equal(clast_world_use_law(w, EXAMPLE, "quadratic_dashpot"), CLAST_OK);
+    clast_pair_def pair = {.friction = MU, .parameter = {STIFF, q, 0}};
+    two_materials m = add_materials(w, &pair);
+    int ball = clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "floor"}), m.hard, vec(0, 0, 0),
+              vec(0, 0, 1));
+    add_body(w, ball, vec(0, 0, 0.0031 + 0.4 * speed * dt), vec(0, 0, -speed), vec(0, 0, 0));
+    double time = 4 * sqrt(body_of(w, 0).mass / STIFF);
+    steps(w, (uint64_t)(1.5 * time / dt));
+    assert_int_equal(contact_count(w), 0);
+    double e = body_of(w, 0).velocity.z / speed;
+    clast_energy energy = clast_world_energy(w);
+    CHECK_NEAR(energy.damping, energy.input - energy.kinetic, 1e-5 * energy.input);
+    clast_world_free(w);
+    return e;
+}
+
+/* First order, as every dashpot of the leapfrog. */
+static void the_example_rebounds_as_its_closed_form(void **state) {
+    (void)state;
+    double q = 0.021, mass = 1130 * 4.0 / 3 * 3.14159265358979323846 * pow(0.0031, 3);
+    double natural = sqrt(mass / STIFF), last = 1;
+    for (double v = 0.05; v < 4; v *= 4) {
+        double want = quadratic_restitution(STIFF, q, mass, v);
+        double coarse = quadratic_rebound(q, v, natural / 100) - want;
+        double fine = quadratic_rebound(q, v, natural / 400) - want;
+        print_message("quadratic dashpot at %.2f m/s: e = %.5f, error %.1e and %.1e\n", v, want,
+                      coarse, fine);
+        CHECK_BELOW(fabs(fine), 2e-5);
+        CHECK_BELOW(fabs(fine), 0.5 * fabs(coarse) + 1e-6);
+        CHECK_BELOW(want, last);
+        last = want;
+    }
+}
+
+/* ---- what can go wrong ----------------------------------------------------------------------- */
+
+static void refused(clast_world *w, const char *path, const char *name, clast_status status,
+                    const char *says) {
+    assert_int_equal(clast_world_use_law(w, path, name), status);
+    if (!strstr(clast_world_error(w), says))
+        fail_msg("'%s' does not say '%s'", clast_world_error(w), says);
+    assert_non_null(strstr(clast_world_error(w), path));
+}
+
+static void what_cannot_be_loaded_is_said(void **state) {
+    (void)state;
+    clast_world_def def = bare_def(CLAST_LAW_USER);
+    clast_world *w = new_world(&def);
+    refused(w, "./no/such/law.so", "x", CLAST_ERR_OPEN, "no/such/law.so");
+    refused(w, __FILE__, "x", CLAST_ERR_OPEN, "");
+    refused(w, LINEAR, "quadratic_dashpot", CLAST_ERR_FORMAT, "has no 'quadratic_dashpot'");
+    refused(w, LINEAR, "of_tomorrow", CLAST_ERR_VERSION, "version 2, expected 1");
+    clast_world_free(w);
+    def.law = CLAST_LAW_LINEAR;
+    w = new_world(&def);
+    refused(w, LINEAR, "linear_again", CLAST_ERR_ARGUMENT, "another law");
+    clast_world_free(w);
+    def.law = CLAST_LAW_USER, def.precision = CLAST_PRECISION_MIXED;
+    w = new_world(&def);
+    refused(w, LINEAR, "linear_again", CLAST_ERR_ARGUMENT, "double precision");
+    clast_world_free(w);
+}
+
+static void a_world_without_its_law_does_not_run(void **state) {
+    (void)state;
+    clast_world_def def = bare_def(CLAST_LAW_USER);
+    def.time_step = 1e-5;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = {.parameter = {STIFF}};
+    two_materials m = add_materials(w, &pair);
+    clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
+    assert_int_equal(clast_world_prepare(w), CLAST_ERR_ARGUMENT);
+    assert_non_null(strstr(clast_world_error(w), "clast_world_use_law"));
+    clast_world_free(w);
+}
+
+/* Without a step of its own the world takes it from the law's stiffness at the impact speed. */
+static void the_step_follows_from_the_law(void **state) {
+    (void)state;
+    clast_world_def def = bare_def(CLAST_LAW_USER);
+    def.contact_resolution = 40, def.impact_speed = 0.7;
+    clast_world *w = new_world(&def);
+    assert_int_equal(clast_world_use_law(w, LINEAR, "linear_again"), CLAST_OK);
+    clast_pair_def pair = linear_pair();
+    two_materials m = add_materials(w, &pair);
+    add_body(w, clast_shape_add_sphere(w, "ball", 0.0031, m.soft), vec(0, 0, 0), vec(0, 0, 0),
+             vec(0, 0, 0));
+    assert_int_equal(clast_world_prepare(w), CLAST_OK);
+    double mass = 0.5 * body_of(w, 0).mass, pi = 3.14159265358979323846;
+    CHECK_CLOSE(clast_world_time_step(w), pi * sqrt(mass / STIFF) / 40, 1e-9);
+    clast_world_free(w);
+}
+
+TEST_MAIN(cmocka_unit_test(linear_law_is_the_engines_in_space),
+          cmocka_unit_test(linear_law_is_the_engines_in_a_plane),
+          cmocka_unit_test(memory_is_kept_as_a_plastic_overlap),
+          cmocka_unit_test(the_example_rebounds_as_its_closed_form),
+          cmocka_unit_test(what_cannot_be_loaded_is_said),
+          cmocka_unit_test(a_world_without_its_law_does_not_run),
+          cmocka_unit_test(the_step_follows_from_the_law))
