@@ -110,13 +110,20 @@ static void materials(void **state) {
 static void pairs(void **state) {
     (void)state;
     static const clast_pair_def bad[] = {
-        {0, 0.3, 0, 1e4, 0, 0, 0, 0, 0},          {1.01, 0.3, 0, 1e4, 0, 0, 0, 0, 0},
-        {NAN, 0.3, 0, 1e4, 0, 0, 0, 0, 0},        {0.5, -0.1, 0, 1e4, 0, 0, 0, 0, 0},
-        {0.5, INFINITY, 0, 1e4, 0, 0, 0, 0, 0},   {0.5, 0.3, -1, 1e4, 0, 0, 0, 0, 0},
-        {0.5, 0.3, INFINITY, 1e4, 0, 0, 0, 0, 0}, {0.5, 0.3, 0, 0, 0, 0, 0, 0, 0},
-        {0.5, 0.3, 0, INFINITY, 0, 0, 0, 0, 0},   {0.5, 0.3, 0, 1e4, -1, 0, 0, 0, 0},
-        {0.5, 0.3, 0, 1e4, 0, 1.1, 0, 0, 0},      {0.5, 0.3, 0, 1e4, 0, 0, -0.1, 0, 0},
-        {0.5, 0.3, 0, 1e4, 0, 0, NAN, 0, 0}};
+        {.restitution = 0, .friction = 0.3, .stiffness = 1e4},
+        {.restitution = 1.01, .friction = 0.3, .stiffness = 1e4},
+        {.restitution = NAN, .friction = 0.3, .stiffness = 1e4},
+        {.restitution = 0.5, .friction = -0.1, .stiffness = 1e4},
+        {.restitution = 0.5, .friction = INFINITY, .stiffness = 1e4},
+        {.restitution = 0.5, .friction = 0.3, .cohesion = -1, .stiffness = 1e4},
+        {.restitution = 0.5, .friction = 0.3, .cohesion = INFINITY, .stiffness = 1e4},
+        {.restitution = 0.5, .friction = 0.3},
+        {.restitution = 0.5, .friction = 0.3, .stiffness = INFINITY},
+        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .tangential_ratio = -1},
+        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .tangential_restitution = 1.1},
+        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .rolling_friction = -0.1},
+        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .rolling_friction = NAN}
+    };
     static const char *const says[] = {"restitution", "restitution",     "restitution", "friction",
                                        "friction",    "cohesion",        "cohesion",    "stiffness",
                                        "stiffness",   "tangential_ratio",
