@@ -58,7 +58,9 @@ static void no_impact_makes_energy(void **state) {
         for (int limit = 0; limit < (l < 3 ? 2 : 1); limit++)
             for (int plane = 0; plane < 2; plane++) {
                 check_law(LAWS[l], LAW_NAMES[l], 0.72, (clast_friction_limit)limit, plane);
-                check_law(LAWS[l], LAW_NAMES[l], 1.0, (clast_friction_limit)limit, plane);
+                /* undamped, the other laws are ones of these with other stiffnesses */
+                if (l < 3 || (!plane && friction_is_viscous(LAWS[l])))
+                    check_law(LAWS[l], LAW_NAMES[l], 1.0, (clast_friction_limit)limit, plane);
             }
 }
 
