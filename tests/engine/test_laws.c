@@ -371,24 +371,21 @@ static uint64_t hash_at(clast_world *w, uint64_t step) {
 /* Every law, with rolling friction, saved in the middle of the settling and loaded again. */
 static void going_on_is_never_having_stopped(void **state) {
     (void)state;
-    char path[] = "/tmp/clast-laws-XXXXXX";
-    int file = mkstemp(path);
-    assert_true(file >= 0);
-    close(file);
+    scratch_name file = scratch_file("laws");
     for (int l = 2; l < LAW_COUNT; l++) {
         bed_wish wish = {.threads = 1, .law = LAWS[l], .rolling = 0.07};
         if (l == LAW_COUNT - 2) wish.precision = CLAST_PRECISION_MIXED;
         clast_world *a = bed_new(&wish);
         hash_at(a, 900);
-        assert_int_equal(clast_checkpoint_save(a, path, NULL), CLAST_OK);
+        assert_int_equal(clast_checkpoint_save(a, file.text, NULL), CLAST_OK);
         wish.threads = 2;
         clast_world *b = bed_new(&wish);
-        if (clast_checkpoint_load(b, path, NULL)) fail_msg("%s", clast_world_error(b));
+        if (clast_checkpoint_load(b, file.text, NULL)) fail_msg("%s", clast_world_error(b));
         assert_true(hash_at(b, 900) == hash_at(a, 900));
         assert_true(hash_at(b, 1500) == hash_at(a, 1500));
         clast_world_free(a), clast_world_free(b);
     }
-    unlink(path);
+    unlink(file.text);
 }
 
 /* The plastic overlap is in the hash. */

@@ -448,24 +448,21 @@ static void kinds_and_clumps_agree(void **state) {
 /* Saved and loaded half way, also with another number of threads. */
 static void mixed_precision_restarts(void **state) {
     (void)state;
-    char path[] = "loads-XXXXXX";
-    int file = mkstemp(path);
-    assert_true(file >= 0);
-    close(file);
+    scratch_name file = scratch_file("loads");
     for (int kind = 0; kind < 12; kind++) {
         twin t = twin_of(kind % 6, kind < 6 ? CLAST_MOTION_3D : CLAST_MOTION_IN_PLANE);
         clast_world *whole = new_twin(&t), *half = new_twin(&t);
         steps(whole, 1400), steps(half, 700);
-        assert_int_equal(clast_checkpoint_save(half, path, NULL), CLAST_OK);
+        assert_int_equal(clast_checkpoint_save(half, file.text, NULL), CLAST_OK);
         clast_world_free(half);
         t.threads = 1 + kind % 4;
         clast_world *again = new_twin(&t);
-        if (clast_checkpoint_load(again, path, NULL)) fail_msg("%s", clast_world_error(again));
+        if (clast_checkpoint_load(again, file.text, NULL)) fail_msg("%s", clast_world_error(again));
         steps(again, 700);
         expect_same_bits(whole, again, "restart");
         clast_world_free(whole), clast_world_free(again);
     }
-    unlink(path);
+    unlink(file.text);
 }
 
 TEST_MAIN(cmocka_unit_test(contacts_make_no_momentum), cmocka_unit_test(a_weight_is_resolved),

@@ -213,10 +213,7 @@ static void bits_do_not_depend_on_the_machine(void **state) {
 /* Before and after a multi-step scheme has its past, and over the removal of a part. */
 static void restart_is_never_having_stopped(void **state) {
     (void)state;
-    char path[] = "/tmp/clast-schemes-XXXXXX";
-    int file = mkstemp(path);
-    assert_true(file >= 0);
-    close(file);
+    scratch_name file = scratch_file("schemes");
     for (int k = 1; k < CLAST_SCHEMES; k++) {
         bed_wish wish = wish_of(k);
         uint64_t want = plain_hash(k);
@@ -224,10 +221,10 @@ static void restart_is_never_having_stopped(void **state) {
         clast_world *w = bed_new(&wish);
         for (int i = 0; i < 2; i++) {
             steps(w, (uint64_t)stops[i] - clast_world_steps(w));
-            assert_int_equal(clast_checkpoint_save(w, path, NULL), CLAST_OK);
+            assert_int_equal(clast_checkpoint_save(w, file.text, NULL), CLAST_OK);
             clast_world_free(w);
             w = bed_new(&wish);
-            if (clast_checkpoint_load(w, path, NULL)) fail_msg("%s", clast_world_error(w));
+            if (clast_checkpoint_load(w, file.text, NULL)) fail_msg("%s", clast_world_error(w));
         }
         steps(w, STEPS - 700);
         if (clast_world_hash(w) != want)
@@ -236,10 +233,10 @@ static void restart_is_never_having_stopped(void **state) {
     }
     bed_wish wish = wish_of(CLAST_SCHEME_TAYLOR);
     clast_world *w = bed_new(&wish);
-    assert_int_equal(clast_checkpoint_load(w, path, NULL), CLAST_ERR_MISMATCH);
+    assert_int_equal(clast_checkpoint_load(w, file.text, NULL), CLAST_ERR_MISMATCH);
     assert_non_null(strstr(clast_world_error(w), "scheme"));
     clast_world_free(w);
-    unlink(path);
+    unlink(file.text);
 }
 
 static void readers_change_nothing(void **state) {

@@ -1,5 +1,7 @@
 #include "tests/support/check.h"
 
+#include <unistd.h>
+
 #include "engine/clast.h"
 
 void check_near(const char *file, int line, const char *what, double got, double want,
@@ -22,4 +24,11 @@ double order_of(double coarse_error, double fine_error, double refined) {
 
 double roll(dice *d, double low, double high) {
     return low + (high - low) * clast_random(d->seed, 77, d->count++);
+}
+
+scratch_name scratch_file(const char *what) {
+    scratch_name name;
+    int length = snprintf(name.text, sizeof name.text, "%s-%ld", what, (long)getpid());
+    assert_true(length > 0 && (size_t)length < sizeof name.text);
+    return name;
 }

@@ -36,6 +36,12 @@ typedef struct dice {
 } dice;
 double roll(dice *d, double low, double high);
 
+/* Name of a file of this process in the working folder, which is the build's. */
+typedef struct scratch_name {
+    char text[64];
+} scratch_name;
+scratch_name scratch_file(const char *what);
+
 #define TEST_MAIN(...)                                                                             \
     int main(void) {                                                                               \
         const struct CMUnitTest tests[] = {__VA_ARGS__};                                           \
