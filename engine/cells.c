@@ -1,45 +1,49 @@
 /* cells.c - sorts bodies by the cell they are in. The order of storage is never observable. */
 #include <string.h>
 
-#include "engine/world.h"
+#include "engine/cells.h"
 
-static void bounds_of(const body_store *b, vec3 *low, vec3 *high) {
-    *low = *high = v3(b->x[0], b->y[0], b->z[0]);
-    for (size_t i = 1; i < b->count; i++) {
-        low->x = b->x[i] < low->x ? b->x[i] : low->x,
-        high->x = b->x[i] > high->x ? b->x[i] : high->x;
-        low->y = b->y[i] < low->y ? b->y[i] : low->y,
-        high->y = b->y[i] > high->y ? b->y[i] : high->y;
-        low->z = b->z[i] < low->z ? b->z[i] : low->z,
-        high->z = b->z[i] > high->z ? b->z[i] : high->z;
+/* Where the bodies are along an axis, within the domain: a run that has blown up under
+ * `guards = report` asks for no grid without end. What is no number is nowhere. */
+typedef struct span {
+    double low, high;
+} span;
+
+static span span_of(const double *x, size_t count, double low, double high) {
+    span s = {high, low};
+    for (size_t i = 0; i < count; i++) {
+        double at = x[i] < low ? low : x[i] > high ? high : x[i];
+        s.low = at < s.low ? at : s.low;
+        s.high = at > s.high ? at : s.high;
     }
+    return s;
 }
 
-static int cells_along(double length, double size) {
-    double n = floor(length / size) + 1;
-    return n > 2048 ? 2048 : (int)n;
+static int cells_along(span s, double size) {
+    double n = floor((s.high - s.low) / size) + 1;
+    return n > 2048 ? 2048 : n > 1 ? (int)n : 1; /* one, too, when there is nothing to span */
 }
 
 /* Cells at least `reach` wide, and no more of them than a few per body. */
 static cell_grid cells_grid(const clast_world *w, double reach) {
-    cell_grid g = {.size = reach};
-    vec3 high;
-    bounds_of(&w->bodies, &g.low, &high);
-    vec3 extent = v3_sub(high, g.low);
+    const body_store *b = &w->bodies;
+    vec3 from = w->def.domain_min, to = w->def.domain_max;
+    span x = span_of(b->x, b->count, from.x, to.x), y = span_of(b->y, b->count, from.y, to.y),
+         z = span_of(b->z, b->count, from.z, to.z);
+    cell_grid g = {.low = v3(x.low, y.low, z.low), .size = reach};
     for (;; g.size *= 1.25) {
-        g.nx = cells_along(extent.x, g.size);
-        g.ny = cells_along(extent.y, g.size);
-        g.nz = cells_along(extent.z, g.size);
+        g.nx = cells_along(x, g.size);
+        g.ny = cells_along(y, g.size);
+        g.nz = cells_along(z, g.size);
         size_t cells = (size_t)g.nx * (size_t)g.ny * (size_t)g.nz;
         bool wide = g.nx < 2048 && g.ny < 2048 && g.nz < 2048;
-        if (wide && cells <= 4 * w->bodies.count + 64) return g;
+        if (wide && cells <= 4 * b->count + 64) return g;
     }
 }
 
 static uint32_t cell_of(const cell_grid *g, double x, double y, double z) {
-    int i = (int)((x - g->low.x) / g->size), j = (int)((y - g->low.y) / g->size),
-        k = (int)((z - g->low.z) / g->size);
-    return ((uint32_t)k * (uint32_t)g->ny + (uint32_t)j) * (uint32_t)g->nx + (uint32_t)i;
+    cell_place p = cell_at(g, x, y, z);
+    return ((uint32_t)p.k * (uint32_t)g->ny + (uint32_t)p.j) * (uint32_t)g->nx + (uint32_t)p.i;
 }
 
 static void reserve(clast_world *w, size_t cells) {

@@ -1,6 +1,7 @@
 /* reach.c - the reach list: every pair of spheres, and of a sphere and a wall, that is closer than
  * the skin, found through the cells. A pair stands with its sphere of lower index. Nothing here is
  * observable. */
+#include "engine/cells.h"
 #include "engine/geometry.h"
 
 /* ---- growing --------------------------------------------------------------------------------- */
@@ -44,12 +45,11 @@ static double bound_of(const clast_world *w, size_t slot) {
 static int ranges_ahead(const clast_world *w, size_t a, range out[5]) {
     const cell_grid *g = &w->cells.grid;
     const body_store *b = &w->bodies;
-    int i = (int)((b->x[a] - g->low.x) / g->size), j = (int)((b->y[a] - g->low.y) / g->size),
-        k = (int)((b->z[a] - g->low.z) / g->size);
-    int i0 = i > 0 ? i - 1 : 0, i1 = i + 1 < g->nx ? i + 1 : g->nx - 1, count = 0;
+    cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
+    int i0 = p.i > 0 ? p.i - 1 : 0, i1 = p.i + 1 < g->nx ? p.i + 1 : g->nx - 1, count = 0;
     static const int dj[5] = {0, 1, -1, 0, 1}, dk[5] = {0, 0, 1, 1, 1};
     for (int r = 0; r < 5; r++) {
-        int jr = j + dj[r], kr = k + dk[r];
+        int jr = p.j + dj[r], kr = p.k + dk[r];
         if (jr < 0 || jr >= g->ny || kr >= g->nz) continue;
         size_t row = ((size_t)kr * (size_t)g->ny + (size_t)jr) * (size_t)g->nx;
         size_t from = r == 0 ? a + 1 : w->cells.cell_first[row + (size_t)i0];
@@ -168,21 +168,16 @@ static void try_wall(clast_world *w, share *s, size_t slot, int wall_index) {
         if (is_within_reach(w, l, i)) push_wall(w, &s->wall_reach, i, wall_index);
 }
 
-static int cell_at(double x, double low, double size, int cells) {
-    double i = floor((x - low) / size);
-    return i < 0 ? 0 : i > cells - 1 ? cells - 1 : (int)i;
-}
-
 /* Bodies of the share in the cells around the box of a wall. */
 static void try_box(clast_world *w, share *s, int wall_index, vec3 low, vec3 high) {
     const cell_grid *g = &w->cells.grid;
     double far = w->largest_bound + w->skin;
-    int i0 = cell_at(low.x - far, g->low.x, g->size, g->nx),
-        i1 = cell_at(high.x + far, g->low.x, g->size, g->nx);
-    int j0 = cell_at(low.y - far, g->low.y, g->size, g->ny),
-        j1 = cell_at(high.y + far, g->low.y, g->size, g->ny);
-    int k0 = cell_at(low.z - far, g->low.z, g->size, g->nz),
-        k1 = cell_at(high.z + far, g->low.z, g->size, g->nz);
+    int i0 = cell_along(low.x - far, g->low.x, g->size, g->nx),
+        i1 = cell_along(high.x + far, g->low.x, g->size, g->nx);
+    int j0 = cell_along(low.y - far, g->low.y, g->size, g->ny),
+        j1 = cell_along(high.y + far, g->low.y, g->size, g->ny);
+    int k0 = cell_along(low.z - far, g->low.z, g->size, g->nz),
+        k1 = cell_along(high.z + far, g->low.z, g->size, g->nz);
     for (int k = k0; k <= k1; k++)
         for (int j = j0; j <= j1; j++) {
             size_t row = ((size_t)k * (size_t)g->ny + (size_t)j) * (size_t)g->nx;
