@@ -70,8 +70,20 @@ static void print_walls(const scene *s) {
     }
 }
 
+static void print_parameters(const clast_pair_def *pair) {
+    int count = CLAST_LAW_PARAMETERS;
+    while (count > 0 && pair->parameter[count - 1] == 0) count--;
+    printf("parameters [");
+    for (int i = 0; i < count; i++) printf("%s%g", i ? ", " : "", pair->parameter[i]);
+    printf("]");
+}
+
 static void print_rebound(clast_law law, const clast_pair_def *pair) {
     if (pair->rolling_friction > 0) printf("rolling friction %g, ", pair->rolling_friction);
+    if (law == CLAST_LAW_USER) {
+        print_parameters(pair);
+        return;
+    }
     if (clast_law_info_of(law)->dissipation && pair->dissipation > 0) {
         printf("dissipation %g s", pair->dissipation);
         return;
@@ -81,6 +93,13 @@ static void print_rebound(clast_law law, const clast_pair_def *pair) {
         printf(" at %g m/s", pair->reference_speed);
     else if (!clast_law_info_of(law)->yields && !clast_law_info_of(law)->dissipation)
         printf(", damping ratio %.5f", clast_damping_ratio(law, pair->restitution));
+}
+
+static const char *stiffness_of(clast_law law) {
+    if (law == CLAST_LAW_USER) return "Forces are those of the law's own function.";
+    return clast_law_info_of(law)->stiffness
+               ? "Stiffness is that of the pair."
+               : "Its stiffness follows from both materials: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.";
 }
 
 static void print_pairs(const scene *s) {
@@ -100,10 +119,7 @@ static void print_pairs(const scene *s) {
         else
             printf("nothing: they do not part at this step\n");
     }
-    printf("mixing: none; every pair is stated. %s\n",
-           clast_law_info_of(law)->stiffness
-               ? "Stiffness is that of the pair."
-               : "Its stiffness follows from both materials: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.");
+    printf("mixing: none; every pair is stated. %s\n", stiffness_of(law));
 }
 
 static void print_summary(const scene *s) {

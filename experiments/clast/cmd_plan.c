@@ -3,6 +3,7 @@
  * plan. */
 #include "experiments/clast/commands.h"
 #include "experiments/clast/options.h"
+#include "experiments/scene-needs/needs.h"
 #include "experiments/scene/scene.h"
 
 #include <math.h>
@@ -18,7 +19,9 @@ static const char HELP[] =
     "and\n"
     "how long a run takes, and what could be dropped at what saving. Times N steps (default 200) "
     "of\n"
-    "the scene as it starts, after as many to warm up; nothing is written.\n"
+    "the scene as it starts, after as many to warm up; nothing is written. At the end stands what "
+    "the\n"
+    "features that the scene uses were worth where that was measured (experiments/scene-needs).\n"
     "\n"
     "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
     "  --threads N        as in clast run\n"
@@ -99,8 +102,7 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
            given ? "as the scene says" : "the smaller of two limits");
     snprintf(text, sizeof text, "%g of the Rayleigh step, %.4g s", def->rayleigh_fraction,
              p->rayleigh_step);
-    if (!linear)
-        print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
+    if (!linear) print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
     snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps",
              p->contact_time, p->impact_speed, def->contact_resolution);
     print_limit("contact resolution", contact, text, !given && by_contact);
@@ -253,26 +255,81 @@ static int suggest_plane(int axis) {
     return 1;
 }
 
-static void print_not_modelled(const scene *s) {
-    bool friction = false, cohesion = false, rolling = false;
+/* ---- what the scene asks for ----------------------------------------------------------------- */
+
+typedef struct pair_features {
+    bool friction, cohesion, rolling, damping;
+} pair_features;
+
+static pair_features features_of_pairs(const scene *s) {
+    pair_features f = {false, false, false, false};
+    bool own = clast_world_definition(s->world)->law == CLAST_LAW_USER;
     for (int i = 0; i < s->pair_count; i++) {
-        friction = friction || s->pairs[i].def.friction > 0;
-        cohesion = cohesion || s->pairs[i].def.cohesion > 0;
-        rolling = rolling || s->pairs[i].def.rolling_friction > 0;
+        const clast_pair_def *pair = &s->pairs[i].def;
+        f.friction = f.friction || pair->friction > 0;
+        f.cohesion = f.cohesion || pair->cohesion > 0;
+        f.rolling = f.rolling || pair->rolling_friction > 0;
+        f.damping = f.damping || (!own && (pair->restitution < 1 || pair->dissipation > 0));
     }
+    return f;
+}
+
+static void print_not_modelled(const scene *s) {
+    pair_features f = features_of_pairs(s);
     const clast_world_def *def = clast_world_definition(s->world);
-    printf("  not asked for, so not modelled:%s%s%s%s%s\n", friction ? "" : " friction",
-           rolling ? "" : " rolling friction", cohesion ? "" : " cohesion",
+    printf("  not asked for, so not modelled:%s%s%s%s%s\n", f.friction ? "" : " friction",
+           f.rolling ? "" : " rolling friction", f.cohesion ? "" : " cohesion",
            def->global_damping > 0 ? "" : " global damping",
            def->motion == CLAST_MOTION_IN_PLANE ? " motion out of plane" : "");
+}
+
+/* What friction keeps of a contact's past; a law of the user's own keeps what it likes. */
+static bool has_history(const clast_world_def *def, bool friction) {
+    bool spring = def->tangent == CLAST_TANGENT_SPRING;
+    if (def->tangent == CLAST_TANGENT_BY_LAW) spring = clast_law_info_of(def->law)->spring;
+    return spring && friction && def->law != CLAST_LAW_USER;
+}
+
+static bool has_clumps(const clast_world *w) {
+    for (int i = 0; i < clast_world_shape_count(w); i++)
+        if (clast_world_shape(w, i).spheres > 1) return true;
+    return false;
+}
+
+static void print_needs(const scene *s) {
+    const clast_world_def *def = clast_world_definition(s->world);
+    pair_features f = features_of_pairs(s);
+    bool clumps = has_clumps(s->world);
+    const bool uses[NEED_FEATURES] = {
+        [NEED_HISTORY] = has_history(def, f.friction),
+        [NEED_ROTATION] = f.friction || f.rolling || clumps,
+        [NEED_FRICTION] = f.friction,
+        [NEED_ROLLING] = f.rolling,
+        [NEED_DAMPING] = f.damping,
+        [NEED_DEPTH] = def->motion == CLAST_MOTION_3D,
+        [NEED_HERTZ] = !clast_law_info_of(def->law)->linear,
+        [NEED_SPHERES] = clumps,
+        [NEED_PRECISION] = def->precision == CLAST_PRECISION_DOUBLE && def->law != CLAST_LAW_USER,
+    };
+    need_table *t = needs_measured();
+    needs_quote(t, uses, stdout);
+    needs_free(t);
+}
+
+/* ---- the whole ------------------------------------------------------------------------------- */
+
+static void print_law(const scene *s, clast_law law) {
+    printf("law: %s", clast_law_info_of(law)->name);
+    if (law == CLAST_LAW_MAW) printf(" (stiffness of the impact speed below)");
+    if (law == CLAST_LAW_USER) printf(", %s of %s", s->function, s->library);
+    printf("\n");
 }
 
 static int plan(const arguments *a, const scene *s) {
     clast_plan p = clast_world_plan(s->world);
     const clast_world_def *def = clast_world_definition(s->world);
     printf("%s: %s\n", s->path, s->title);
-    printf("law: %s%s\n", clast_law_info_of(def->law)->name,
-           def->law == CLAST_LAW_MAW ? " (stiffness of the impact speed below)" : "");
+    print_law(s, def->law);
     printf("kernel: %s\n", p.kernel);
     printf("threads: %d, lanes: %s, skin: %.3g mm\n", p.threads, p.isa, 1e3 * p.skin);
     printf("precision: %s\n", def->precision == CLAST_PRECISION_MIXED
@@ -293,6 +350,7 @@ static int plan(const arguments *a, const scene *s) {
                suggest_fewer_spheres(a, s, each);
     if (fits == 0) printf("  nothing that this plan can vouch for\n");
     print_not_modelled(s);
+    print_needs(s);
     return CLAST_EXIT_OK;
 }
 

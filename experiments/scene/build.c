@@ -247,6 +247,19 @@ static void prepare(scene_reader *r, const scene_draft *d, const crowd *c, clast
         check_step(r, d, w);
 }
 
+/* Which key asked for what the engine refuses. */
+static const char *culprit(clast_status status) {
+    return status == CLAST_ERR_OPEN ? "library" : status == CLAST_ERR_ARGUMENT ? "law" : "function";
+}
+
+static void use_law(scene_reader *r, clast_world *w, scene_draft *d) {
+    if (d->def.law != CLAST_LAW_USER) return;
+    if (!strchr(d->library, '/')) /* else it would be looked for among the system's libraries */
+        d->library = scene_print(r->arena, "./%s", d->library);
+    clast_status status = clast_world_use_law(w, d->library, d->function);
+    if (status) FAULT(tree_get(r->root, "contact"), culprit(status), "%s", clast_world_error(w));
+}
+
 static clast_world *new_world(scene_reader *r, scene_draft *d) {
     d->def.motion = d->motion > 0 ? CLAST_MOTION_IN_PLANE : CLAST_MOTION_3D;
     if (d->motion > 0) d->def.plane_axis = d->motion - 1;
@@ -262,6 +275,7 @@ clast_world *scene_build(scene_reader *r, scene_draft *draft, bool prepare_too) 
     if (!w) return NULL;
     crowd c = {.plane_axis = draft->motion - 1, .seed = draft->seed};
     measure_shapes(r, draft, &c);
+    use_law(r, w, draft);
     add_materials(r, w, draft);
     if (!r->faults->errors) EACH(shape_item, shape, draft->shapes) add_shape(r, w, shape);
     if (!r->faults->errors) add_walls(r, w, draft);

@@ -50,17 +50,31 @@ static bool is_pair(const pair_item *p, int a, int b) {
 }
 
 /* A number that the law does not read would be believed to matter. */
-static void check_unused(scene_reader *r, const pair_item *pair, const char *key, bool used,
+static void check_unused(scene_reader *r, const tree_node *section, const char *key, bool used,
                          const char *by) {
-    const tree_node *node = tree_get(pair->item.node, key);
+    const tree_node *node = tree_get(section, key);
     if (node && !used)
         scene_warn(r->faults, node->line, tree_path(r->arena, node, NULL),
                    "used by %s alone, has no effect here", by);
 }
 
+/* All that a law of the user's own reads of a pair is friction, cohesion and its parameters. */
+static void check_pair_own_law(scene_reader *r, const pair_item *pair) {
+    static const char *const UNREAD[] = {"restitution",      "stiffness",
+                                         "tangential_ratio", "tangential_restitution",
+                                         "dissipation",      "reference_speed"};
+    for (int i = 0; i < 6; i++)
+        check_unused(r, pair->item.node, UNREAD[i], false, "the engine's own laws");
+}
+
 static void check_pair_law(scene_reader *r, const scene_draft *d, const pair_item *pair) {
     const clast_law_info *law = clast_law_info_of(d->def.law);
     const tree_node *node = pair->item.node;
+    if (d->def.law == CLAST_LAW_USER) {
+        check_pair_own_law(r, pair);
+        return;
+    }
+    check_unused(r, node, "parameters", false, "the law user");
     bool given = law->dissipation && tree_get(node, "dissipation");
     if (law->stiffness && !tree_get(node, "stiffness"))
         FAULT(node, "stiffness", "missing, expected a stiffness in N/m, > 0, for law %s",
@@ -71,13 +85,13 @@ static void check_pair_law(scene_reader *r, const scene_draft *d, const pair_ite
     for (int i = 0; i < 2 && given; i++)
         if (tree_get(node, INSTEAD[i]))
             FAULT(node, INSTEAD[i], "found beside dissipation, which it would be solved for");
-    check_unused(r, pair, "stiffness", law->stiffness, "the laws linear and walton-braun");
-    check_unused(r, pair, "tangential_ratio", law->linear,
+    check_unused(r, node, "stiffness", law->stiffness, "the laws linear and walton-braun");
+    check_unused(r, node, "tangential_ratio", law->linear,
                  "the laws linear, maw, hooke and walton-braun");
-    check_unused(r, pair, "tangential_restitution", !law->dissipation,
+    check_unused(r, node, "tangential_restitution", !law->dissipation,
                  "laws other than hertz-brilliantov");
-    check_unused(r, pair, "dissipation", law->dissipation, "the law hertz-brilliantov");
-    check_unused(r, pair, "reference_speed", law->dissipation, "the law hertz-brilliantov");
+    check_unused(r, node, "dissipation", law->dissipation, "the law hertz-brilliantov");
+    check_unused(r, node, "reference_speed", law->dissipation, "the law hertz-brilliantov");
 }
 
 static void check_pair(scene_reader *r, const scene_draft *d, const pair_item *pair) {
@@ -298,6 +312,24 @@ static void check_measures(scene_reader *r, const scene_draft *d) {
     }
 }
 
+/* A law of the user's own brings its friction along, with its limit and what becomes of it when the
+ * load falls. */
+static void check_law(scene_reader *r, const scene_draft *d) {
+    const tree_node *contact = tree_get(r->root, "contact");
+    if (!contact || contact->kind != TREE_MAP || is_faulty(r, contact, "law")) return;
+    static const char *const KEYS[] = {"library", "function"};
+    bool own = d->def.law == CLAST_LAW_USER;
+    for (int i = 0; i < 2; i++) {
+        if (own && !tree_get(contact, KEYS[i]))
+            FAULT(contact, KEYS[i], "missing, expected %s for law user",
+                  i ? "the name of a clast_law_entry" : "a shared object");
+        check_unused(r, contact, KEYS[i], own, "the law user");
+    }
+    check_unused(r, contact, "tangent", !own, "the engine's own laws");
+    check_unused(r, contact, "friction_limit", !own, "the engine's own laws");
+    check_unused(r, contact, "unloading", !own, "the engine's own laws");
+}
+
 static void check_scheme(scene_reader *r, const scene_draft *d) {
     const tree_node *time = tree_get(r->root, "time"), *newton = tree_get(time, "newton");
     if (newton && !is_faulty(r, time, "scheme") && !clast_scheme_info_of(d->def.scheme)->implicit)
@@ -331,6 +363,7 @@ void scene_check(scene_reader *r, const scene_draft *draft) {
     EACH(wall_item, wall, draft->walls) check_wall(r, wall);
     check_bodies(r, draft);
     check_measures(r, draft);
+    check_law(r, draft);
     check_scheme(r, draft);
     check_view(r, draft);
     const tree_node *domain = tree_get(r->root, "domain");

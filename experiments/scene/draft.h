@@ -111,6 +111,7 @@ typedef struct scene_draft {
     clast_world_def def;
     int motion; /* 0 3-D, 1 + axis in plane */
     int clump_contact;
+    const char *library, *function; /* of a contact law of the user's own; NULL: not given */
     uint64_t seed;
     item_list materials, pairs, shapes, parts, walls, bodies, measures;
     ending ending;

@@ -137,6 +137,20 @@ static void read_numbers(scene_reader *r, const scene_key *key, const tree_node 
         memcpy(field, values, (size_t)key->length * sizeof *values);
 }
 
+/* What a number means is the law's affair, so any dimension will do. */
+static void read_values(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
+    if (node->kind != TREE_LIST || node->children > key->length) {
+        expected(r, key, node);
+        return;
+    }
+    double *values = field;
+    int i = 0;
+    for (const tree_node *child = node->first; child; child = child->next, i++) {
+        unit_value one;
+        if (parse(r, key, child, &one)) values[i] = one.value;
+    }
+}
+
 static void read_vector(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
     double values[3] = {0};
     if (is_word(r, key, node) || numbers(r, key, node, 3, values))
@@ -329,13 +343,13 @@ static void read_nothing(scene_reader *r, const scene_key *key, const tree_node 
 }
 
 static read_fn *const READ[] = {
-    [KEY_NUMBER] = read_number,      [KEY_COUNT] = read_count,       [KEY_SEED] = read_seed,
-    [KEY_SWITCH] = read_switch,      [KEY_CHOICE] = read_choice,     [KEY_TEXT] = read_text,
-    [KEY_FILE] = read_file,          [KEY_NAME] = read_name,         [KEY_NAMES] = read_names,
-    [KEY_VECTOR] = read_vector,      [KEY_SPACING] = read_spacing,   [KEY_NUMBERS] = read_numbers,
-    [KEY_POINTS] = read_points,      [KEY_INTERVAL] = read_interval, [KEY_SECTION] = read_inner,
-    [KEY_PART] = read_inner,         [KEY_NAMED] = read_items,       [KEY_LIST] = read_items,
-    [KEY_PARAMETERS] = read_nothing,
+    [KEY_NUMBER] = read_number, [KEY_COUNT] = read_count,        [KEY_SEED] = read_seed,
+    [KEY_SWITCH] = read_switch, [KEY_CHOICE] = read_choice,      [KEY_TEXT] = read_text,
+    [KEY_FILE] = read_file,     [KEY_NAME] = read_name,          [KEY_NAMES] = read_names,
+    [KEY_VECTOR] = read_vector, [KEY_SPACING] = read_spacing,    [KEY_NUMBERS] = read_numbers,
+    [KEY_VALUES] = read_values, [KEY_POINTS] = read_points,      [KEY_INTERVAL] = read_interval,
+    [KEY_SECTION] = read_inner, [KEY_PART] = read_inner,         [KEY_NAMED] = read_items,
+    [KEY_LIST] = read_items,    [KEY_PARAMETERS] = read_nothing,
 };
 
 static void *field_of(const scene_key *key, void *target) {

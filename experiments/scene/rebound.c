@@ -35,6 +35,10 @@ static clast_world *make_world(const scene *s, const scene_pair *pair, partner p
     def.skin = 0;
     clast_world *w = clast_world_new(&def);
     if (!w) return NULL;
+    if (s->library && clast_world_use_law(w, s->library, s->function)) {
+        clast_world_free(w);
+        return NULL;
+    }
     const int of[2] = {pair->a, pair->b};
     double inertia = 0.4 * p.mass * p.radius * p.radius;
     bool good = true;

@@ -75,6 +75,9 @@ static void append_kind(scene_buffer *out, const scene_key *key) {
     case KEY_NUMBERS:
         append_list(out, key, LENGTHS[key->length]);
         break;
+    case KEY_VALUES:
+        scene_append(out, "a list of at most %d numbers, in SI or each with its unit", key->length);
+        break;
     case KEY_POINTS:
         append_list(out, key, "[[x, z], [x, z], [x, z], ...]");
         break;

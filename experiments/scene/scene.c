@@ -45,8 +45,8 @@ static const char *folder_of(scene_arena *arena, const char *path) {
 }
 
 static char *duplicate(const char *text) {
-    char *copy = strdup(text);
-    if (!copy) abort();
+    char *copy = text ? strdup(text) : NULL;
+    if (text && !copy) abort();
     return copy;
 }
 
@@ -120,6 +120,9 @@ static scene *make_scene(const scene_draft *draft, clast_world *world, const cha
     const measure_item *items = draft->measures.items;
     for (int i = 0; i < s->measure_count; i++) s->measures[i] = measure_of(&items[i]);
     keep_materials(s, draft);
+    bool own = draft->def.law == CLAST_LAW_USER;
+    s->library = duplicate(own ? draft->library : NULL);
+    s->function = duplicate(own ? draft->function : NULL);
     return s;
 }
 
@@ -182,6 +185,8 @@ void scene_free(scene *s) {
     for (int i = 0; i < s->material_count; i++) free((char *)(uintptr_t)s->materials[i].name);
     free(s->materials);
     free(s->pairs);
+    free(s->library);
+    free(s->function);
     free(s->view.preset);
     free(s->view.map);
     free(s->path);

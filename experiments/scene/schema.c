@@ -19,7 +19,7 @@
 #define UP_TO(x, y)  .range = {(x), (y), true, false} /* the lower end is outside */
 
 static const char *const LAWS[] = {"hertz-a00", "hertz-mindlin", "linear", "maw", "hooke",
-                                   "hertz-brilliantov", "walton-braun", NULL};
+                                   "hertz-brilliantov", "walton-braun", "user", NULL};
 static const char *const TANGENTS[] = {"by-law", "spring", "viscous", NULL};
 static const char *const LIMITS[] = {"total", "spring", NULL};
 static const char *const UNLOADINGS[] = {"rescale", "as-printed", NULL};
@@ -43,7 +43,8 @@ static const char *const PROJECTIONS[] = {"orthographic", "perspective", NULL};
 /* Choices are stored as places in their lists: these must not drift apart. */
 _Static_assert(CLAST_LAW_HERTZ_A00 == 0 && CLAST_LAW_HERTZ_MINDLIN == 1 &&
                CLAST_LAW_LINEAR == 2 && CLAST_LAW_MAW == 3 && CLAST_LAW_HOOKE == 4 &&
-               CLAST_LAW_HERTZ_BRILLIANTOV == 5 && CLAST_LAW_WALTON_BRAUN == 6, "");
+               CLAST_LAW_HERTZ_BRILLIANTOV == 5 && CLAST_LAW_WALTON_BRAUN == 6 &&
+               CLAST_LAW_USER == 7, "");
 _Static_assert(CLAST_TANGENT_BY_LAW == 0 && CLAST_TANGENT_SPRING == 1 &&
                CLAST_TANGENT_VISCOUS == 2, "");
 _Static_assert(CLAST_LIMIT_TOTAL == 0 && CLAST_LIMIT_SPRING == 1, "");
@@ -64,7 +65,11 @@ _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HE
 #define TARGET scene_draft
 static const scene_key CONTACT_KEYS[] = {
     {"law", KEY_CHOICE, FIELD(def.law), .choices = LAWS, .fallback = "hertz-mindlin",
-     .meaning = "contact law of all pairs"},
+     .meaning = "contact law of all pairs; user: a function of your own (engine/clast_law.h)"},
+    {"library", KEY_FILE, FIELD(library),
+     .meaning = "shared object that holds the law of your own; needed by law user alone"},
+    {"function", KEY_TEXT, FIELD(function),
+     .meaning = "name of its clast_law_entry in there; needed by law user alone"},
     {"tangent", KEY_CHOICE, FIELD(def.tangent), .choices = TANGENTS, .fallback = "by-law",
      .meaning = "friction before it slides: spring and dashpot, or the dashpot alone (by-law: "
                 "hooke, hertz-brilliantov, walton-braun)"},
@@ -98,7 +103,7 @@ static const scene_key PAIR_KEYS[] = {
      .meaning = "the two materials; every pair that can touch must be stated, none is mixed"},
     {"restitution", KEY_NUMBER, UNIT_NUMBER, FIELD(def.restitution), UP_TO(0, 1),
      .meaning = "rebound over impact speed of a single collision; needed unless dissipation is "
-                "given"},
+                "given or the law is one of your own"},
     {"friction", KEY_NUMBER, UNIT_NUMBER, FIELD(def.friction), FROM(0), .required = true,
      .meaning = "Coulomb coefficient"},
     {"cohesion", KEY_NUMBER, UNIT_FORCE, FIELD(def.cohesion), FROM(0), .fallback = "0 N",
@@ -126,6 +131,9 @@ static const scene_key PAIR_KEYS[] = {
 TABLE(PAIR, "pairs[]", pair_item, PAIR_KEYS);
 
 /* ---- shapes ---------------------------------------------------------------------------------- */
+    {"parameters", KEY_VALUES, FIELD(def.parameter), .length = CLAST_LAW_PARAMETERS,
+     .meaning = "numbers of a law of your own, in the order in which it reads them; those left out "
+                "are 0"},
 
 #undef TARGET
 #define TARGET element_item

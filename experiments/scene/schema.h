@@ -24,6 +24,7 @@ typedef enum key_kind {                /* field in the target struct */
                         KEY_VECTOR,    /* clast_vec3 */
                         KEY_SPACING,   /* clast_vec3, one number stands for all three */
                         KEY_NUMBERS,   /* double[length] */
+                        KEY_VALUES,    /* double[length], of any dimension; fewer leave zeros */
                         KEY_POINTS,    /* point_list */
                         KEY_INTERVAL,  /* double: s between two outputs, from a time or a rate */
                         KEY_SECTION,   /* fields of `section` in the same target */

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +13,7 @@
 #include <unistd.h>
 
 #include "digest.h"
+#include "experiments/run/folder.h"
 #include "experiments/run/run.h"
 
 void job_set(job *j, const char *format, ...) {
@@ -93,6 +95,31 @@ static pid_t start(const job *j) {
     return child;
 }
 
+/* ---- what it cost ---------------------------------------------------------------------------- */
+
+static bool was_begun(const job *j) {
+    char *checkpoint = path_in(j->folder, FILE_CHECKPOINT);
+    bool begun = path_exists(checkpoint);
+    free(checkpoint);
+    return begun;
+}
+
+static void keep_time(const job *j) {
+    char path[JOB_FOLDER + 8], text[64];
+    snprintf(path, sizeof path, "%s.cpu", j->folder);
+    snprintf(text, sizeof text, "%.6g\n", j->seconds);
+    file_write_text(path, text); /* without it the cost is unknown, nothing worse */
+}
+
+double jobs_processor_time(const job *j) {
+    char path[JOB_FOLDER + 8], text[64];
+    snprintf(path, sizeof path, "%s.cpu", j->folder);
+    FILE *f = fopen(path, "r");
+    double seconds = f && fgets(text, sizeof text, f) ? strtod(text, NULL) : (double)NAN;
+    if (f) fclose(f);
+    return seconds;
+}
+
 /* ---- all of them ----------------------------------------------------------------------------- */
 
 int jobs_processes(void) {
@@ -126,6 +153,7 @@ static void progress(const char *what, int done, int count, int fresh, double si
 typedef struct pool {
     pid_t child[64];
     int job[64], running;
+    bool begun[64]; /* goes on from a checkpoint */
 } pool;
 
 /* s of processor time of all children that were waited for. */
@@ -136,8 +164,9 @@ static double children_time(void) {
            1e-6 * (double)(all.ru_utime.tv_usec + all.ru_stime.tv_usec);
 }
 
-/* Waits for one child; returns the job it was, and whether it did well. */
-static int reap(pool *p, bool *well) {
+/* Waits for one child; returns the job it was, whether it did well, and whether its time is that of
+ * a whole run. */
+static int reap(pool *p, bool *well, bool *whole) {
     int status;
     pid_t ended = waitpid(-1, &status, 0);
     if (ended < 0) {
@@ -148,8 +177,10 @@ static int reap(pool *p, bool *well) {
     for (int i = 0; i < p->running; i++)
         if (p->child[i] == ended) {
             int which = p->job[i];
+            *whole = !p->begun[i];
             p->running--;
             p->child[i] = p->child[p->running], p->job[i] = p->job[p->running];
+            p->begun[i] = p->begun[p->running];
             if (WIFSIGNALED(status))
                 fprintf(stderr, "a run was killed by signal %d\n", WTERMSIG(status));
             return which;
@@ -171,16 +202,18 @@ int jobs_run(job *jobs, int count, int processes, const char *what) {
     while (p.running > 0 || next < count) {
         while (next < count && (jobs[next].done || twin_before(jobs, next) >= 0)) next++;
         if (next < count && p.running < processes) {
+            p.begun[p.running] = was_begun(&jobs[next]);
             p.child[p.running] = start(&jobs[next]);
             p.job[p.running++] = next++;
             continue;
         }
         if (p.running == 0) break;
-        bool well;
+        bool well, whole;
         double before = children_time();
-        job *j = &jobs[reap(&p, &well)];
+        job *j = &jobs[reap(&p, &well, &whole)];
         j->seconds = children_time() - before;
         j->done = well && run_is_finished(j->folder, &j->hash);
+        if (j->done && whole) keep_time(j);
         failed += !j->done;
         fresh++;
         progress(what, ++done, total, fresh, since);

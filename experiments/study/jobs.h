@@ -25,6 +25,10 @@ typedef struct job {
     double seconds;          /* of processor time that jobs_run() spent on it; 0 when it was kept */
 } job;
 
+/* s of processor time of a whole run, kept beside its folder; NAN when it was done in pieces or is
+ * not done. */
+double jobs_processor_time(const job *j);
+
 /* Adds a parameter; printf style. */
 void job_set(job *j, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

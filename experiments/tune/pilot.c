@@ -71,9 +71,9 @@ static uint64_t hash_file(const char *path) {
 }
 
 /* Pilots lie elsewhere, so files that the scene names get their full path. What is in them is named
- * by its hash in a comment: another start is another run. */
-static void name_start(scene_edit *e, scene_parameters *parameters, const char *scene_path,
-                       const tree_node *node, scene_buffer *notes) {
+ * by its hash in a comment: another start, or another law, is another run. */
+static void name_file(scene_edit *e, scene_parameters *parameters, const char *scene_path,
+                      const tree_node *node, scene_buffer *notes) {
     const char *text = scene_parameters_word(parameters, node->text);
     const char *slash = strrchr(scene_path, '/');
     int folder = slash ? (int)(slash - scene_path) + 1 : 0;
@@ -90,15 +90,18 @@ static void name_start(scene_edit *e, scene_parameters *parameters, const char *
     free(checkpoint);
 }
 
-static void name_starts(scene_edit *e, const char *scene_path, scene_buffer *notes) {
+static void name_files(scene_edit *e, const char *scene_path, scene_buffer *notes) {
     scene_parameters parameters = scene_parameters_read(e->arena, &e->faults, e->root);
     const tree_node *bodies = tree_get(e->root, "bodies");
     for (const tree_node *one = bodies ? bodies->first : NULL; one; one = one->next) {
         const tree_node *files[] = {tree_get(one, "from"), tree_get(one, "csv")};
         for (int i = 0; i < 2; i++)
             if (files[i] && files[i]->kind == TREE_SCALAR)
-                name_start(e, &parameters, scene_path, files[i], notes);
+                name_file(e, &parameters, scene_path, files[i], notes);
     }
+    const tree_node *library = tree_get(tree_get(e->root, "contact"), "library");
+    if (library && library->kind == TREE_SCALAR)
+        name_file(e, &parameters, scene_path, library, notes);
 }
 
 /* The scene of replicate `k` under a setting, without frames; NULL when the text cannot be edited.
@@ -120,7 +123,7 @@ static char *pilot_text(const tune *t, setting s, int k) {
         good = scene_edit_put(&e, NULL, "seed",
                               scene_print(&arena, "%" PRIu64, t->seed + (uint64_t)k));
     if (good) good = scene_edit_put(&e, "output", "frames", "none");
-    if (good) name_starts(&e, t->path, &notes);
+    if (good) name_files(&e, t->path, &notes);
     char *edited = good ? scene_edit_finish(&e) : NULL;
     char *whole = edited ? text_format("%s%s", edited, notes.text) : NULL;
     free(edited);
@@ -165,7 +168,8 @@ static bool look_at(tune *t, int soft, double contact_time[SOFT_LEVELS]) {
     if (soft == 0) {
         space->step = plan.time_step;
         space->step_given = s->step_given;
-        space->can_mix = clast_world_definition(s->world)->precision == CLAST_PRECISION_DOUBLE;
+        const clast_world_def *def = clast_world_definition(s->world);
+        space->can_mix = def->precision == CLAST_PRECISION_DOUBLE && def->law != CLAST_LAW_USER;
     }
     contact_time[soft] = plan.contact_time;
     space->critical[soft] = plan.critical_step;
@@ -224,30 +228,7 @@ static bool has_stopped(const job *j) {
     return stopped;
 }
 
-static bool was_begun(const job *j) {
-    char *checkpoint = path_in(j->folder, FILE_CHECKPOINT);
-    bool begun = path_exists(checkpoint);
-    free(checkpoint);
-    return begun;
-}
-
-/* Processor time of a whole run is kept beside its folder; of one that was cut off it is not known.
- */
-static double processor_time(const job *j, bool whole) {
-    char *path = beside(j, "cpu"), text[64];
-    double seconds = NAN;
-    if (j->seconds > 0 && whole) {
-        snprintf(text, sizeof text, "%.6g\n", j->seconds);
-        file_write_text(path, text);
-    }
-    FILE *f = fopen(path, "r");
-    if (f && fgets(text, sizeof text, f)) seconds = strtod(text, NULL);
-    if (f) fclose(f);
-    free(path);
-    return seconds;
-}
-
-static bool read_value(tune *t, candidate *c, int k, const job *j, bool whole) {
+static bool read_value(tune *t, candidate *c, int k, const job *j) {
     char *path = path_in(j->folder, FILE_SERIES), why[RESULTS_ERROR_MAX];
     csv *series = csv_read(path, why);
     free(path);
@@ -255,7 +236,7 @@ static bool read_value(tune *t, candidate *c, int k, const job *j, bool whole) {
     const double *time = csv_column(series, "time_s");
     size_t n = series->rows;
     c->value[k] = observable_reduce(&t->what, series);
-    c->cost[k] = time && n > 1 ? processor_time(j, whole) / (time[n - 1] - time[0]) : (double)NAN;
+    c->cost[k] = time && n > 1 ? jobs_processor_time(j) / (time[n - 1] - time[0]) : (double)NAN;
     c->hash[k] = j->hash;
     c->known[k] = true;
     csv_free(series);
@@ -287,11 +268,10 @@ static bool plan_job(tune *t, const candidate *c, int k, job *j) {
     return true;
 }
 
-static bool take_results(tune *t, candidate *c, const job *jobs, const bool *begun,
-                         const int *which, int count) {
+static bool take_results(tune *t, candidate *c, const job *jobs, const int *which, int count) {
     for (int i = 0; i < count; i++) {
-        bool good = jobs[i].done ? read_value(t, c, which[i], &jobs[i], !begun[i])
-                                 : take_failure(t, c, &jobs[i]);
+        bool good =
+            jobs[i].done ? read_value(t, c, which[i], &jobs[i]) : take_failure(t, c, &jobs[i]);
         if (!good) return false;
     }
     return true;
@@ -300,14 +280,13 @@ static bool take_results(tune *t, candidate *c, const job *jobs, const bool *beg
 bool pilots_run(tune *t, candidate *c, int first, int count) {
     CLAST_ASSERT(t && c && first >= 0 && count >= 0 && first + count <= PILOTS_MAX);
     job *jobs = calloc((size_t)count + 1, sizeof *jobs);
-    bool begun[PILOTS_MAX], good = true;
+    bool good = true;
     int which[PILOTS_MAX], n = 0;
     CLAST_ASSERT(jobs);
     for (int k = first; k < first + count && good && !c->stopped[0]; k++) {
         if (c->known[k]) continue;
         good = plan_job(t, c, k, &jobs[n]);
         if (!good) break;
-        begun[n] = was_begun(&jobs[n]);
         which[n] = k;
         if (has_stopped(&jobs[n])) good = take_failure(t, c, &jobs[n]);
         n++;
@@ -316,7 +295,7 @@ bool pilots_run(tune *t, candidate *c, int first, int count) {
         char what[SETTING_LABEL];
         setting_describe(c->setting, what);
         jobs_run(jobs, n, t->processes, what);
-        good = take_results(t, c, jobs, begun, which, n);
+        good = take_results(t, c, jobs, which, n);
     }
     for (int i = 0; i < n; i++) free((char *)(uintptr_t)jobs[i].scene);
     free(jobs);
