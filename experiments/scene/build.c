@@ -24,6 +24,17 @@ static void take_elements(sphere_set *set, const shape_item *shape) {
     }
 }
 
+/* m, of the bounding sphere about the origin of the body. */
+static double reach_of(int count, const clast_vec3 *centre, const double *radius) {
+    double most = 0;
+    for (int i = 0; i < count; i++) {
+        clast_vec3 c = centre[i];
+        double reach = sqrt(c.x * c.x + c.y * c.y + c.z * c.z) + radius[i];
+        most = reach > most ? reach : most;
+    }
+    return most;
+}
+
 sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape) {
     SCENE_ASSERT(arena && shape);
     bool fit = tree_get(shape->item.node, "fit") != NULL;
@@ -39,11 +50,7 @@ sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape) {
     else if (clast_fit_ellipse(shape->ellipse[0], shape->ellipse[1], set.count, set.centre,
                                set.radius))
         set.count = 0;
-    for (int i = 0; i < set.count; i++) {
-        clast_vec3 c = set.centre[i];
-        double reach = sqrt(c.x * c.x + c.y * c.y + c.z * c.z) + set.radius[i];
-        set.reach = reach > set.reach ? reach : set.reach;
-    }
+    set.reach = reach_of(set.count, set.centre, set.radius);
     return set;
 }
 
@@ -68,24 +75,69 @@ static clast_vec3 flat_inertia(clast_vec3 i) {
     return i;
 }
 
-static void add_shape(scene_reader *r, clast_world *w, const shape_item *shape) {
+/* The same body `scale` times as large: what is given for it grows with its volume. */
+static clast_shape_def scaled(scene_arena *arena, const clast_shape_def *d, double scale) {
+    clast_shape_def out = *d;
+    clast_vec3 *centre = scene_alloc(arena, (size_t)d->spheres * sizeof *centre);
+    double *radius = scene_alloc(arena, (size_t)d->spheres * sizeof *radius);
+    double *outline = scene_alloc(arena, (2 * (size_t)d->outline_points + 1) * sizeof *outline);
+    for (int i = 0; i < d->spheres; i++) {
+        clast_vec3 c = d->centre[i];
+        centre[i] = (clast_vec3){scale * c.x, scale * c.y, scale * c.z};
+        radius[i] = scale * d->radius[i];
+    }
+    for (int i = 0; i < 2 * d->outline_points; i++) outline[i] = scale * d->outline[i];
+    double volume = scale * scale * scale, turning = volume * scale * scale;
+    out.name = scene_print(arena, "%s*%.6g", d->name, scale);
+    out.centre = centre, out.radius = radius, out.outline = outline;
+    out.mass = volume * d->mass;
+    out.inertia =
+        (clast_vec3){turning * d->inertia.x, turning * d->inertia.y, turning * d->inertia.z};
+    return out;
+}
+
+/* The template of one class; its index in the world, or -1 with a fault. */
+static int add_class(scene_reader *r, clast_world *w, const shape_item *shape, double scale) {
     sphere_set set = scene_shape_spheres(r->arena, shape);
     if (set.count == 0) {
         FAULT(shape->item.node, "fit", "found an ellipse that %d spheres cannot be fitted to",
               shape->fit_spheres);
-        return;
+        return -1;
     }
     point_list outline = outline_of(r->arena, shape);
-    int index = clast_shape_add(w, &(clast_shape_def){.name = shape->item.name,
-                                                      .material = shape->material,
-                                                      .spheres = set.count,
-                                                      .centre = set.centre,
-                                                      .radius = set.radius,
-                                                      .mass = shape->mass,
-                                                      .inertia = flat_inertia(shape->inertia),
-                                                      .outline_points = outline.count,
-                                                      .outline = outline.xz});
+    clast_shape_def def = {.name = shape->item.name,
+                           .material = shape->material,
+                           .spheres = set.count,
+                           .centre = set.centre,
+                           .radius = set.radius,
+                           .mass = shape->mass,
+                           .inertia = flat_inertia(shape->inertia),
+                           .outline_points = outline.count,
+                           .outline = outline.xz};
+    if (tree_get(shape->item.node, "size")) def = scaled(r->arena, &def, scale);
+    int index = clast_shape_add(w, &def);
     if (index < 0) FAULT(shape->item.node, NULL, "%s", clast_world_error(w));
+    return index;
+}
+
+/* Every shape has its first template at its own place, so that names stand for indices of the
+ * world; the other classes of size follow. */
+static const shape_family *add_shapes(scene_reader *r, clast_world *w, const scene_draft *d) {
+    shape_family *families = scene_alloc(r->arena, (size_t)d->shapes.count * sizeof *families);
+    int i = 0;
+    EACH(shape_item, shape, d->shapes) {
+        size_set sizes = scene_shape_sizes(r, shape);
+        int *templates = scene_alloc(r->arena, (size_t)sizes.count * sizeof *templates);
+        templates[0] = add_class(r, w, shape, sizes.scale[0]);
+        families[i++] = (shape_family){sizes.count, templates, sizes.scale};
+    }
+    i = 0;
+    EACH(shape_item, shape, d->shapes) {
+        shape_family *f = &families[i++];
+        for (int k = 1; k < f->count && r->faults->errors == 0; k++)
+            f->templates[k] = add_class(r, w, shape, f->scale[k]);
+    }
+    return families;
 }
 
 /* ---- materials, pairs, parts, walls ---------------------------------------------------------- */
@@ -184,11 +236,16 @@ static void add_bodies(scene_reader *r, clast_world *w, const scene_draft *d, cr
             FAULT(source_of(d, c, i), NULL, "%s", clast_world_error(w));
 }
 
-static void measure_shapes(scene_reader *r, const scene_draft *d, crowd *c) {
-    double *reach = scene_alloc(r->arena, (size_t)d->shapes.count * sizeof *reach);
-    int i = 0;
-    EACH(shape_item, shape, d->shapes) reach[i++] = scene_shape_spheres(r->arena, shape).reach;
-    c->shape_reach = reach;
+static void measure_shapes(scene_reader *r, const clast_world *w, crowd *c) {
+    int count = clast_world_shape_count(w);
+    double *reach = scene_alloc(r->arena, (size_t)count * sizeof *reach);
+    double *mass = scene_alloc(r->arena, (size_t)count * sizeof *mass);
+    for (int i = 0; i < count; i++) {
+        clast_shape_def shape = clast_world_shape(w, i);
+        reach[i] = reach_of(shape.spheres, shape.centre, shape.radius);
+        mass[i] = shape.mass;
+    }
+    c->shape_reach = reach, c->shape_mass = mass;
 }
 
 /* ---- preparing ------------------------------------------------------------------------------- */
@@ -274,10 +331,10 @@ clast_world *scene_build(scene_reader *r, scene_draft *draft, bool prepare_too) 
     clast_world *w = new_world(r, draft);
     if (!w) return NULL;
     crowd c = {.plane_axis = draft->motion - 1, .seed = draft->seed};
-    measure_shapes(r, draft, &c);
     use_law(r, w, draft);
     add_materials(r, w, draft);
-    if (!r->faults->errors) EACH(shape_item, shape, draft->shapes) add_shape(r, w, shape);
+    if (!r->faults->errors) c.families = add_shapes(r, w, draft);
+    if (!r->faults->errors) measure_shapes(r, w, &c);
     if (!r->faults->errors) add_walls(r, w, draft);
     if (!r->faults->errors) add_bodies(r, w, draft, &c);
     if (!r->faults->errors && c.count == 0)

@@ -14,6 +14,22 @@ typedef struct sphere_set {
 
 sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape);
 
+/* size.c: scale factors of the classes of a shape, smallest first; {1} without `size`. */
+typedef struct size_set {
+    int count;
+    double *scale;
+} size_set;
+
+size_set scene_shape_sizes(scene_reader *r, const shape_item *shape);
+void scene_check_size(scene_reader *r, const shape_item *shape, const tree_node *size);
+
+/* The templates in the world of one shape of the scene: one, or one for each class of size. */
+typedef struct shape_family {
+    int count;
+    int *templates;      /* indices of shapes of the world */
+    const double *scale; /* of each */
+} shape_family;
+
 /* check.c: what one key cannot tell alone. */
 void scene_check(scene_reader *r, const scene_draft *draft);
 
@@ -24,13 +40,29 @@ typedef struct crowd {
     int *source;   /* index of the entry of `bodies:` that asked for it */
     int count, room;
     int inherited; /* the first so many came with a checkpoint and are in the world already */
-    const double *shape_reach; /* m, by shape */
+    const double *shape_reach;    /* m, by shape of the world */
+    const double *shape_mass;     /* kg, likewise */
+    const shape_family *families; /* by shape of the scene; NULL: each is its own template */
     int plane_axis;            /* -1: 3-D */
     uint64_t seed;
 } crowd;
 
 void crowd_add(crowd *c, const clast_body_def *body, int source);
 void crowd_free(crowd *c);
+
+/* A number in [0, 1) of the entry `source`, of a stream for each purpose. */
+typedef enum draw_purpose { DRAW_PLACE, DRAW_TURN, DRAW_JITTER, DRAW_SHAPE } draw_purpose;
+double crowd_draw(const crowd *c, int source, draw_purpose purpose, uint64_t counter);
+
+/* mixture.c: the template of each of `count` bodies of a generator, in the order of placing. */
+typedef enum pick_order {
+    PICK_SHUFFLED,
+    PICK_LARGE_FIRST /* small bodies find room between large ones, not the other way round */
+} pick_order;
+const int *scene_pick(scene_reader *r, const crowd *c, const generator *g, int source, int count,
+                      pick_order order);
+double scene_pick_reach(const crowd *c, const generator *g); /* m, of the largest template */
+void scene_check_mixture(scene_reader *r, const tree_node *node, const generator *g);
 
 /* place.c: one generator of an entry of `bodies:`. */
 void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const generator *g,

@@ -182,6 +182,8 @@ static void check_shape(scene_reader *r, const shape_item *shape) {
               shape->ellipse[1]);
     check_inertia(r, shape);
     if (r->faults->errors == 0) check_mass(r, shape);
+    const tree_node *size = tree_get(node, "size");
+    if (size && !is_faulty(r, size, NULL)) scene_check_size(r, shape, size);
 }
 
 /* ---- parts and walls ------------------------------------------------------------------------- */
@@ -261,14 +263,24 @@ static void check_generator(scene_reader *r, const scene_draft *d, const tree_no
               "the motion is 3d");
     if (g->orientation != ORIENT_FIXED && was_given(r, node, "turn"))
         FAULT(node, "turn", "found beside a random orientation, expected orientation fixed");
+    scene_check_mixture(r, node, g);
     check_turn(r, tree_get(node, "turn"), &g->turn);
     check_motion(r, d, node, g->velocity, g->spin);
+}
+
+static bool is_sized(const scene_draft *d, int shape) {
+    const shape_item *shapes = d->shapes.items;
+    return tree_get(shapes[shape].item.node, "size") != NULL;
 }
 
 static void check_single_body(scene_reader *r, const scene_draft *d, const body_item *body) {
     static const char *const OWN[] = {"position", "orientation", "velocity", "spin"};
     const tree_node *node = body->item.node;
     if (tree_get(node, "shape")) {
+        if (was_given(r, node, "shape") && is_sized(d, body->shape))
+            FAULT(node, "shape",
+                  "found a shape of many sizes, expected one of a single size: grid, "
+                  "hexagonal and random place the others");
         if (!tree_get(node, "position"))
             FAULT(node, "position", "missing, expected [x, y, z], each a length in m");
         check_turn(r, tree_get(node, "orientation"), &body->turn);

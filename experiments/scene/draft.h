@@ -40,6 +40,16 @@ typedef struct point_list {
     int count;
 } point_list;
 
+/* Scale factors of a shape, as the file gives them. */
+typedef struct size_rule {
+    double uniform[2];    /* from, to */
+    double normal[2];     /* mean, standard deviation */
+    double log_normal[2]; /* median, geometric standard deviation */
+    double between[2];    /* where the last two are cut off; {0}: nowhere */
+    const char *table;
+    int classes;
+} size_rule;
+
 typedef struct shape_item {
     item item;
     int material;
@@ -50,6 +60,7 @@ typedef struct shape_item {
     double mass;
     clast_vec3 inertia;
     point_list outline;
+    size_rule size;
 } shape_item;
 
 typedef struct part_item {
@@ -77,9 +88,16 @@ typedef struct rotation {
     double quaternion[4];
 } rotation;
 
+typedef struct mixture_item {
+    item item;
+    int shape;
+    double number, mass; /* shares; 0: not given */
+} mixture_item;
+
 /* grid, hexagonal and random share one struct: each fills what it has keys for. */
 typedef struct generator {
     int shape, count;
+    item_list mixture; /* mixture_item; empty: `shape` alone */
     clast_vec3 region_min, region_max;
     clast_vec3 spacing;
     double jitter;

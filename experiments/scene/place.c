@@ -11,9 +11,8 @@
 static const double BODIES_MAX = 1e7; /* of one entry: beyond, a unit is wrong */
 static const double TURN = 6.283185307179586;
 
-enum { DRAW_PLACE, DRAW_TURN, DRAW_JITTER }; /* what a stream of random numbers is for */
-
-static double draw(const crowd *c, int source, int purpose, uint64_t counter) {
+double crowd_draw(const crowd *c, int source, draw_purpose purpose, uint64_t counter) {
+    SCENE_ASSERT(c && source >= 0);
     uint64_t stream = UINT64_C(0x5343454e00000000) + 4 * (uint64_t)source + (uint64_t)purpose;
     return clast_random(c->seed, stream, counter);
 }
@@ -72,19 +71,19 @@ static clast_quat orientation(const crowd *c, const generator *g, const tree_nod
                               int index) {
     if (g->orientation == ORIENT_FIXED) return scene_turn(&g->turn, tree_get(node, "turn"));
     uint64_t at = 3 * (uint64_t)index;
-    double u = draw(c, source, DRAW_TURN, at);
+    double u = crowd_draw(c, source, DRAW_TURN, at);
     if (c->plane_axis >= 0) {
         clast_vec3 normal = {c->plane_axis == 0, c->plane_axis == 1, c->plane_axis == 2};
         return clast_quat_axis_angle(normal, TURN * u);
     }
-    return random_rotation(u, draw(c, source, DRAW_TURN, at + 1),
-                           draw(c, source, DRAW_TURN, at + 2));
+    return random_rotation(u, crowd_draw(c, source, DRAW_TURN, at + 1),
+                           crowd_draw(c, source, DRAW_TURN, at + 2));
 }
 
 static void add(crowd *c, const generator *g, const tree_node *node, int source, int index,
-                const double at[3]) {
+                int shape, const double at[3]) {
     crowd_add(c,
-              &(clast_body_def){.shape = g->shape,
+              &(clast_body_def){.shape = shape,
                                 .position = {at[0], at[1], at[2]},
                                 .orientation = orientation(c, g, node, source, index),
                                 .velocity = g->velocity,
@@ -101,24 +100,31 @@ typedef struct free_room {
     double reach;
 } free_room;
 
-static bool make_room(scene_reader *r, const crowd *c, const generator *g, const tree_node *node,
-                      free_room *out) {
+static free_room room_for(const generator *g, double reach) {
     const double low[3] = {g->region_min.x, g->region_min.y, g->region_min.z};
     const double high[3] = {g->region_max.x, g->region_max.y, g->region_max.z};
-    out->reach = c->shape_reach[g->shape];
+    free_room out = {.reach = reach};
     for (int i = 0; i < 3; i++) {
-        out->thin[i] = low[i] == high[i];
-        double margin = out->thin[i] ? 0 : out->reach;
-        out->low[i] = low[i] + margin;
-        out->high[i] = high[i] - margin;
+        out.thin[i] = low[i] == high[i];
+        double margin = out.thin[i] ? 0 : reach;
+        out.low[i] = low[i] + margin;
+        out.high[i] = high[i] - margin;
+    }
+    return out;
+}
+
+/* For the largest body that the entry may place. */
+static bool make_room(scene_reader *r, const crowd *c, const generator *g, const tree_node *node,
+                      free_room *out) {
+    *out = room_for(g, scene_pick_reach(c, g));
+    for (int i = 0; i < 3; i++)
         if (out->high[i] < out->low[i]) {
             FAULT(node, "region",
                   "found %g m along %c, expected at least the diameter of the "
                   "bounding sphere, %g m (or 0 for one layer)",
-                  high[i] - low[i], "xyz"[i], 2 * out -> reach);
+                  out->high[i] - out->low[i] + 2 * out->reach, "xyz"[i], 2 * out -> reach);
             return false;
         }
-    }
     return true;
 }
 
@@ -150,7 +156,7 @@ static void jitter(const crowd *c, const generator *g, const free_room *room,
     for (int i = 0; i < 3; i++) {
         double gap = spacing[i] - 2 * room->reach;
         if (room->thin[i] || gap <= 0) continue;
-        double u = draw(c, source, DRAW_JITTER, 3 * (uint64_t)index + (uint64_t)i);
+        double u = crowd_draw(c, source, DRAW_JITTER, 3 * (uint64_t)index + (uint64_t)i);
         at[i] = clamp(at[i] + (u - 0.5) * g->jitter * gap, room->low[i], room->high[i]);
     }
 }
@@ -185,13 +191,14 @@ void scene_place_grid(scene_reader *r, crowd *c, const tree_node *node, const ge
     double capacity = steps[0] * steps[1] * steps[2];
     if (!enough(r, node, g, capacity)) return;
     int count = g->count > 0 ? g->count : (int)capacity;
+    const int *shapes = scene_pick(r, c, g, source, count, PICK_SHUFFLED);
     double nx = steps[0], ny = steps[1];
     for (int index = 0; index < count; index++) {
         double layer = floor(index / (nx * ny)), row = floor((index - layer * nx * ny) / nx);
         double at[3] = {start[0] + (index - layer * nx * ny - row * nx) * spacing[0],
                         start[1] + row * spacing[1], start[2] + layer * spacing[2]};
         jitter(c, g, &room, spacing, source, index, at);
-        add(c, g, node, source, index, at);
+        add(c, g, node, source, index, shapes[index], at);
     }
 }
 
@@ -228,6 +235,23 @@ static bool is_inside(const free_room *room, const double at[3], double slack) {
     return true;
 }
 
+/* Where the search for the next place goes on: i in a row, j rows, k layers. */
+typedef struct site {
+    int i, j, k;
+} site;
+
+/* The next place of the packing that is inside the room; false behind the last one. */
+static bool next_site(const packing *p, const free_room *room, double nu, double nv, double nw,
+                      site *s, double at[3]) {
+    for (; s->k < (int)nw; s->k++, s->j = 0)
+        for (; s->j < (int)nv; s->j++, s->i = 0)
+            while (s->i < (int)nu) {
+                packing_place(p, room, s->i++, s->j, s->k, at);
+                if (is_inside(room, at, 1e-9 * p->spacing)) return true;
+            }
+    return false;
+}
+
 void scene_place_hexagonal(scene_reader *r, crowd *c, const tree_node *node, const generator *g,
                            int source) {
     SCENE_ASSERT(r && c && node && g);
@@ -241,18 +265,19 @@ void scene_place_hexagonal(scene_reader *r, crowd *c, const tree_node *node, con
         enough(r, node, &(generator){.count = 0}, nu * nv * nw);
         return;
     }
+    int capacity = 0, wanted = g->count > 0 ? g->count : (int)BODIES_MAX;
+    site last = {0};
+    double at[3];
+    while (capacity < wanted && next_site(&p, &room, nu, nv, nw, &last, at)) capacity++;
+    const int *shapes = scene_pick(r, c, g, source, capacity, PICK_SHUFFLED);
     const double spacing[3] = {s, s, s};
-    int placed = 0, wanted = g->count > 0 ? g->count : (int)BODIES_MAX;
-    for (int k = 0; k < (int)nw; k++)
-        for (int j = 0; j < (int)nv; j++)
-            for (int i = 0; i < (int)nu && placed < wanted; i++) {
-                double at[3];
-                packing_place(&p, &room, i, j, k, at);
-                if (!is_inside(&room, at, 1e-9 * s)) continue;
-                jitter(c, g, &room, spacing, source, placed, at);
-                add(c, g, node, source, placed++, at);
-            }
-    if (placed < g->count) enough(r, node, g, placed);
+    last = (site){0};
+    for (int placed = 0; placed < capacity; placed++) {
+        next_site(&p, &room, nu, nv, nw, &last, at);
+        jitter(c, g, &room, spacing, source, placed, at);
+        add(c, g, node, source, placed, shapes[placed], at);
+    }
+    if (capacity < g->count) enough(r, node, g, capacity);
 }
 
 /* ---- random ---------------------------------------------------------------------------------- */
@@ -319,16 +344,17 @@ static bool is_free(const cell_grid *cells, const crowd *c, const double at[3], 
 
 /* One body; false when no free place was found. *counter runs on through all tries of the entry. */
 static bool place_one(crowd *c, cell_grid *cells, const generator *g, const tree_node *node,
-                      const free_room *room, int source, int index, uint64_t *counter) {
+                      int source, int index, int shape, uint64_t *counter) {
+    const free_room own = room_for(g, c->shape_reach[shape]), *room = &own;
     for (int attempt = 0; attempt < g->attempts; attempt++) {
         double at[3];
         for (int i = 0; i < 3; i++) {
-            double u = draw(c, source, DRAW_PLACE, (*counter)++);
+            double u = crowd_draw(c, source, DRAW_PLACE, (*counter)++);
             at[i] = clamp(room->low[i] + u * (room->high[i] - room->low[i]), room->low[i],
                           room->high[i]);
         }
         if (!is_free(cells, c, at, room->reach, g->gap)) continue;
-        add(c, g, node, source, index, at);
+        add(c, g, node, source, index, shape, at);
         cells_put(cells, c, c->count - 1);
         return true;
     }
@@ -340,10 +366,12 @@ void scene_place_random(scene_reader *r, crowd *c, const tree_node *node, const 
     SCENE_ASSERT(r && c && node && g && g->count > 0);
     free_room room;
     if (!make_room(r, c, g, node, &room)) return;
+    const int *shapes = scene_pick(r, c, g, source, g->count, PICK_LARGE_FIRST);
     cell_grid cells = cells_new(c, g->count, room.reach, g->gap);
     uint64_t counter = 0;
     int placed = 0;
-    while (placed < g->count && place_one(c, &cells, g, node, &room, source, placed, &counter))
+    while (placed < g->count &&
+           place_one(c, &cells, g, node, source, placed, shapes[placed], &counter))
         placed++;
     if (placed < g->count)
         FAULT(node, "count",

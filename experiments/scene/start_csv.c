@@ -79,7 +79,10 @@ static void read_heading(table *t, char *line) {
 static void read_shape(table *t, const char *cell) {
     const tree_node *shapes = tree_get(t->r->root, "shapes"), *found = tree_get(shapes, cell);
     t->shape = found ? found->index : -1;
-    if (!found) FAULT(t, "shape", "found '%s', expected a name from shapes", cell);
+    if (!found)
+        FAULT(t, "shape", "found '%s', expected a name from shapes", cell);
+    else if (tree_get(found, "size"))
+        FAULT(t, "shape", "found '%s', a shape of many sizes, expected one of a single size", cell);
 }
 
 static void read_cell(table *t, int name, const char *cell) {

@@ -82,6 +82,10 @@ static void damage(const char *victim, long count) {
                       read_all(CLAST_SCENES "/start.csv", &lengths[1])};
     write_all(scene_path, texts[0], lengths[0]);
     write_all(csv_path, texts[1], lengths[1]);
+    size_t length;
+    char *grading = read_all(CLAST_SCENES "/grading-mass.csv", &length);
+    write_all(CLAST_SCENE_SCRATCH "/grading-mass.csv", grading, length);
+    free(grading);
     int which = strcmp(victim, "scene") ? 1 : 0;
     char *damaged = malloc(lengths[which] + 1000);
     assert_non_null(damaged);

@@ -256,7 +256,7 @@ static void generators_are_read(void **state) {
     opened o;
     open_draft(&o, GOOD);
     const body_item *b = o.draft.bodies.items;
-    assert_int_equal(o.draft.bodies.count, 7);
+    assert_int_equal(o.draft.bodies.count, 10);
     const generator *grid = &b[2].grid, *random = &b[5].random;
     assert_int_equal(grid->shape, 0);
     assert_int_equal(grid->count, 7);
@@ -280,6 +280,14 @@ static void generators_are_read(void **state) {
     assert_int_equal(b[4].hexagonal.count, 3);
     SAME(b[3].hexagonal.jitter, 0.2);
     same(b[3].hexagonal.spin, 0, 2, 0);
+    const mixture_item *by_number = b[6].grid.mixture.items,
+                       *by_mass = b[7].hexagonal.mixture.items;
+    assert_int_equal(b[6].grid.mixture.count, 2);
+    assert_int_equal(by_number[1].shape, 4);
+    SAME(by_number[1].number, 0.6);
+    SAME(by_number[1].mass, 0);
+    assert_int_equal(by_mass[1].shape, 6);
+    SAME(by_mass[1].mass, 0.6);
     scene_arena_free(&o.arena);
 }
 
@@ -316,6 +324,21 @@ static void the_world_is_defined(void **state) {
     assert_int_equal(d->seed, 77);
     SAME(clast_world_time_step(s->world), 4.5e-6);
     scene_free(s);
+}
+
+static void sizes_are_read(void **state) {
+    (void)state;
+    opened o;
+    open_draft(&o, GOOD);
+    const shape_item *shape = o.draft.shapes.items;
+    SAME(shape[3].size.uniform[1], 1.1);
+    assert_int_equal(shape[3].size.classes, 3);
+    SAME(shape[4].size.normal[1], 0.1);
+    SAME(shape[4].size.between[0], 0.9);
+    SAME(shape[5].size.log_normal[1], 1.1);
+    assert_non_null(strstr(shape[6].size.table, "grading-mass.csv"));
+    assert_int_equal(shape[0].size.classes, 20);
+    scene_arena_free(&o.arena);
 }
 
 static void shapes_and_walls_are_built(void **state) {
@@ -467,12 +490,14 @@ static void set_replaces_parameters(void **state) {
     write_all(path, s->text, strlen(s->text));
     char *csv = read_all(CLAST_SCENES "/start.csv", NULL);
     write_all(CLAST_SCENE_SCRATCH "/start.csv", csv, strlen(csv));
+    char *grading = read_all(CLAST_SCENES "/grading-mass.csv", NULL);
+    write_all(CLAST_SCENE_SCRATCH "/grading-mass.csv", grading, strlen(grading));
     scene *again = load(path, NULL, 0);
     assert_string_equal(s->title, again->title);
     assert_true(clast_world_hash(s->world) == clast_world_hash(again->world));
     scene_free(again);
     scene_free(s);
-    free(csv);
+    free(csv), free(grading);
 }
 
 static void set_faults(const char *set, const char *expected) {
@@ -666,6 +691,7 @@ int main(void) {
         cmocka_unit_test(a_law_beside_the_scene_is_found),
         cmocka_unit_test(generators_are_read),
         cmocka_unit_test(the_world_is_defined),
+        cmocka_unit_test(sizes_are_read),
         cmocka_unit_test(shapes_and_walls_are_built),
         cmocka_unit_test(bodies_are_placed),
         cmocka_unit_test(measures_are_read),
