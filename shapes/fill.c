@@ -1,0 +1,336 @@
+#include "shapes/fill.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "shapes/check.h"
+#include "shapes/numbers.h"
+#include "shapes/symmetry.h"
+
+enum { SAMPLES = 1500, SEEDS_MESH = 4000, SEEDS_BLOCK = 1500, SEEDS_OUTLINE = 400 };
+
+typedef struct orbit {
+    int first, size; /* in `pool` */
+    double bound;    /* no more than this is gained by it, per sphere */
+} orbit;
+
+typedef struct filler {
+    const shape_target *target;
+    const shape_stops *stops;
+    int samples; /* of the part of the surface that the symmetry repeats */
+    shape_vec *point;
+    double *distance;   /* m, from the clump so far */
+    shape_sphere *pool; /* spheres of all orbits */
+    orbit *orbits;
+    int pool_count, pool_room, orbit_count, orbit_room;
+    double inscribed;
+} filler;
+
+double shape_density_deviation(double density) {
+    SHAPE_ASSERT(density >= 1);
+    double x = 1 / density; /* mean of 1 - sqrt(1 - t^2) for |t| <= x */
+    return 1 - 0.5 * (sqrt(1 - x * x) + shape_asin(x) / x);
+}
+
+static void *grown(void *old, int *room, size_t size) {
+    *room = *room ? 2 * *room : 1024;
+    void *p = realloc(old, (size_t)*room * size);
+    SHAPE_ASSERT(p);
+    return p;
+}
+
+/* ---- candidates
+ * ---------------------------------------------------------------------------------- */
+
+/* The largest sphere inside that touches the surface at p; radius 0 where there is none. */
+static shape_sphere touching_sphere(const shape_target *t, shape_vec p, shape_vec normal) {
+    double r = t->size;
+    shape_vec q, c = p;
+    for (int i = 0; i < 80 && r > 1e-9 * t->size; i++) {
+        c = sv_along(p, -r, normal);
+        double d = fabs(shape_target_distance(t, c, &q, NULL));
+        if (d >= r * (1 - 1e-9) - t->slack) return (shape_sphere){c, r};
+        shape_vec chord = sv_sub(p, q);
+        double lift = 2 * sv_dot(normal, chord), square = sv_dot(chord, chord);
+        double next = lift > 0 ? square / lift : 0.5 * r;
+        r = next < 0.999 * r ? next : 0.999 * r;
+    }
+    return (shape_sphere){c, 0};
+}
+
+/* Moves a sphere that nearly falls on images of itself to where it does: onto the planes and axes
+ * of symmetry, where fewer spheres do the same. */
+static void snap(const shape_target *t, shape_symmetry *s, shape_sphere *one) {
+    shape_vec sum = {0, 0, 0};
+    int near = 0;
+    for (int k = 0; k < s->count; k++) {
+        shape_vec image = shape_image(s->matrix[k], one->centre);
+        if (sv_distance(image, one->centre) > 0.35 * one->radius) continue;
+        sum = sv_add(sum, image);
+        near++;
+    }
+    if (near < 2) return;
+    one->centre = sv_scale(1.0 / near, sum);
+    one->radius = -shape_target_distance(t, one->centre, NULL, NULL);
+}
+
+static void add_orbit(filler *f, shape_symmetry *s, shape_sphere one) {
+    if (f->orbit_count == f->orbit_room)
+        f->orbits = grown(f->orbits, &f->orbit_room, sizeof *f->orbits);
+    orbit *o = &f->orbits[f->orbit_count++];
+    *o = (orbit){f->pool_count, 0, HUGE_VAL};
+    for (int k = 0; k < s->count; k++) {
+        shape_vec image = shape_image(s->matrix[k], one.centre);
+        bool known = false;
+        for (int i = 0; i < o->size && !known; i++)
+            known = sv_distance(f->pool[o->first + i].centre, image) < 1e-6 * one.radius;
+        if (known) continue;
+        if (f->pool_count == f->pool_room) f->pool = grown(f->pool, &f->pool_room, sizeof *f->pool);
+        f->pool[f->pool_count++] = (shape_sphere){image, one.radius};
+        o->size++;
+    }
+}
+
+/* Seeds of a body of revolution lie in one half plane. */
+static shape_vec to_half_plane(shape_vec p, int axis, double *sine, double *cosine) {
+    double at[3] = {p.x, p.y, p.z}, out[3];
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    double rho = sqrt(at[u] * at[u] + at[v] * at[v]);
+    *cosine = rho > 0 ? at[u] / rho : 1, *sine = rho > 0 ? at[v] / rho : 0;
+    out[axis] = at[axis], out[u] = rho, out[v] = 0;
+    return sv(out[0], out[1], out[2]);
+}
+
+static shape_vec turned_back(shape_vec n, int axis, double sine, double cosine) {
+    double at[3] = {n.x, n.y, n.z}, out[3];
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    out[axis] = at[axis];
+    out[u] = cosine * at[u] + sine * at[v], out[v] = cosine * at[v] - sine * at[u];
+    return sv(out[0], out[1], out[2]);
+}
+
+/* Half a step further round: two such orbits together make a ring of twice as many. */
+static shape_sphere between(const filler *f, shape_sphere one, int in_ring) {
+    int axis;
+    if (!shape_has_axis(f->target, &axis)) return one;
+    double at[3] = {one.centre.x, one.centre.y, one.centre.z}, s, c;
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    shape_sincos(SHAPE_PI / in_ring, &s, &c);
+    double across = c * at[u] - s * at[v];
+    at[v] = s * at[u] + c * at[v], at[u] = across;
+    return (shape_sphere){sv(at[0], at[1], at[2]), one.radius};
+}
+
+/* Returns false where the sphere falls on the axis: there all groups give the same. */
+static bool add_images(filler *f, shape_symmetry *s, shape_sphere one) {
+    double least = fmax(f->stops->smallest, 1e-4 * f->target->size);
+    snap(f->target, s, &one);
+    f->inscribed = fmax(f->inscribed, one.radius);
+    if (!(one.radius > least)) return true;
+    add_orbit(f, s, one);
+    return f->orbits[f->orbit_count - 1].size > 2;
+}
+
+static void add_candidate(filler *f, shape_vec p, shape_vec normal, shape_symmetry *groups,
+                          int group_count) {
+    shape_sphere raw = touching_sphere(f->target, p, normal);
+    f->inscribed = fmax(f->inscribed, raw.radius);
+    if (!(raw.radius > f->stops->smallest)) return;
+    for (int g = 0; g < group_count; g++) {
+        bool rings = group_count > 1;
+        if (!add_images(f, &groups[g], raw) && rings) break;
+        if (rings) add_images(f, &groups[g], between(f, raw, groups[g].ring));
+    }
+}
+
+static void find_candidates(filler *f) {
+    int axis, group_count = 0;
+    bool turns = shape_has_axis(f->target, &axis);
+    int seeds = turns                                  ? SEEDS_OUTLINE
+                : f->target->source == SHAPE_FROM_MESH ? SEEDS_MESH
+                                                       : SEEDS_BLOCK;
+    shape_vec *point = malloc((size_t)seeds * sizeof *point);
+    shape_vec *normal = malloc((size_t)seeds * sizeof *normal);
+    shape_symmetry *groups = malloc(SYMMETRY_RINGS * sizeof *groups);
+    SHAPE_ASSERT(point && normal && groups);
+    while (group_count < SYMMETRY_RINGS &&
+           shape_symmetry_of(f->target, group_count, &groups[group_count]))
+        group_count++;
+    shape_target_samples(f->target, seeds, point, normal);
+    for (int i = 0; i < seeds; i++) {
+        if (turns) {
+            double s, c;
+            point[i] = to_half_plane(point[i], axis, &s, &c);
+            normal[i] = turned_back(normal[i], axis, s, c);
+        }
+        add_candidate(f, point[i], normal[i], groups, group_count);
+    }
+    free(point), free(normal), free(groups);
+}
+
+/* ---- choice
+ * ---------------------------------------------------------------------------------------- */
+
+static double outside(shape_sphere one, shape_vec p) {
+    double d = sv_distance(p, one.centre) - one.radius;
+    return d > 0 ? d : 0;
+}
+
+static double gain_of(const filler *f, const orbit *o) {
+    double gain = 0;
+    for (int s = 0; s < f->samples; s++) {
+        double nearest = f->distance[s];
+        for (int i = 0; i < o->size; i++) {
+            shape_sphere one = f->pool[o->first + i];
+            shape_vec arm = sv_sub(f->point[s], one.centre);
+            double reach = one.radius + nearest, square = sv_dot(arm, arm);
+            if (square < reach * reach) nearest = fmax(0, sqrt(square) - one.radius);
+        }
+        gain += f->distance[s] * f->distance[s] - nearest * nearest;
+    }
+    return gain / o->size;
+}
+
+/* The orbit with the most gain among those that fit; gains only fall from round to round, so old
+ * ones are bounds and few have to be worked out again. NULL when nothing is gained. */
+static orbit *best_orbit(filler *f, int room) {
+    for (;;) {
+        orbit *best = NULL;
+        for (int i = 0; i < f->orbit_count; i++) {
+            orbit *o = &f->orbits[i];
+            if (o->size <= room && o->bound > 0 && (!best || o->bound > best->bound)) best = o;
+        }
+        if (!best) return NULL;
+        double old = best->bound;
+        best->bound = gain_of(f, best);
+        bool still = true;
+        for (int i = 0; i < f->orbit_count && still && best->bound < old; i++) {
+            const orbit *o = &f->orbits[i];
+            still = o->size > room || o->bound <= best->bound;
+        }
+        if (still && best->bound > 0) return best;
+    }
+}
+
+static void take(filler *f, orbit *o, shape_sphere *to) {
+    memcpy(to, &f->pool[o->first], (size_t)o->size * sizeof *to);
+    for (int s = 0; s < f->samples; s++)
+        for (int i = 0; i < o->size; i++)
+            f->distance[s] = fmin(f->distance[s], outside(to[i], f->point[s]));
+    o->bound = 0;
+}
+
+static double mean_distance(const filler *f) {
+    double sum = 0;
+    for (int s = 0; s < f->samples; s++) sum += f->distance[s];
+    return sum / f->samples;
+}
+
+static double largest_distance(const filler *f) {
+    double largest = 0;
+    for (int s = 0; s < f->samples; s++) largest = fmax(largest, f->distance[s]);
+    return largest;
+}
+
+static bool is_met(const filler *f) {
+    const shape_stops *stop = f->stops;
+    if (stop->density >= 1 &&
+        mean_distance(f) <= shape_density_deviation(stop->density) * f->inscribed)
+        return true;
+    return stop->deviation > 0 && largest_distance(f) <= stop->deviation;
+}
+
+/* The density whose row would have this mean distance, by halving. */
+static double density_of(double mean) {
+    double low = 1, high = 1e4;
+    if (mean > shape_density_deviation(1)) return 0;
+    for (int i = 0; i < 60; i++) {
+        double middle = 0.5 * (low + high);
+        *(shape_density_deviation(middle) > mean ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Samples of the whole surface, of which those stay that are no images of others. */
+static void take_samples(filler *f) {
+    shape_symmetry *common = malloc(sizeof *common);
+    SHAPE_ASSERT(common);
+    shape_common_symmetry(f->target, common);
+    int all = SAMPLES * common->count;
+    f->point = malloc((size_t)all * sizeof *f->point);
+    f->distance = malloc((size_t)all * sizeof *f->distance);
+    shape_vec *normal = malloc((size_t)all * sizeof *normal);
+    SHAPE_ASSERT(f->point && f->distance && normal);
+    shape_target_samples(f->target, all, f->point, normal);
+    for (int i = 0; i < all; i++)
+        if (shape_in_first_part(common, f->point[i])) f->point[f->samples++] = f->point[i];
+    SHAPE_ASSERT(f->samples > 0);
+    for (int s = 0; s < f->samples; s++) f->distance[s] = f->target->size;
+    free(normal), free(common);
+}
+
+static void begin(filler *f, const shape_target *target, const shape_stops *stops) {
+    *f = (filler){.target = target, .stops = stops};
+    take_samples(f);
+}
+
+static shape_filling finish(filler *f, int count) {
+    const shape_stops *stop = f->stops;
+    shape_filling result = {.count = count,
+                            .inscribed = f->inscribed,
+                            .density = density_of(mean_distance(f) / f->inscribed)};
+    result.met = !(stop->density >= 1 || stop->deviation > 0) || is_met(f);
+    free(f->point), free(f->distance), free(f->pool), free(f->orbits);
+    return result;
+}
+
+static void check_stops(const shape_stops *stops) {
+    SHAPE_ASSERT(stops && stops->spheres >= 0 && stops->spheres <= SHAPE_SPHERES_MAX);
+    SHAPE_ASSERT(stops->density == 0 || stops->density >= 1);
+    SHAPE_ASSERT(stops->spheres > 0 || stops->density >= 1 || stops->deviation > 0);
+}
+
+shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
+                         shape_sphere *spheres, int *level) {
+    SHAPE_ASSERT(target && spheres);
+    check_stops(stops);
+    filler f;
+    begin(&f, target, stops);
+    find_candidates(&f);
+    int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX, count = 0, orbits = 0;
+    while (count < limit && !(count > 0 && is_met(&f))) {
+        orbit *o = best_orbit(&f, limit - count);
+        if (!o) break;
+        take(&f, o, spheres + count);
+        for (int i = 0; i < o->size && level; i++) level[count + i] = orbits;
+        count += o->size;
+        orbits++;
+    }
+    return finish(&f, count);
+}
+
+static void measure_row(filler *f, const shape_sphere *spheres, int count) {
+    f->inscribed = 0;
+    for (int i = 0; i < count; i++) f->inscribed = fmax(f->inscribed, spheres[i].radius);
+    for (int s = 0; s < f->samples; s++) {
+        f->distance[s] = f->target->size;
+        for (int i = 0; i < count; i++)
+            f->distance[s] = fmin(f->distance[s], outside(spheres[i], f->point[s]));
+    }
+}
+
+shape_filling shape_fill_row(const shape_target *target, const shape_stops *stops,
+                             shape_sphere *spheres) {
+    SHAPE_ASSERT(target && target->source == SHAPE_FROM_PROFILE && spheres);
+    check_stops(stops);
+    filler f;
+    begin(&f, target, stops);
+    bool asks = stops->density >= 1 || stops->deviation > 0;
+    int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX / 4, count = 0;
+    for (int n = asks ? 1 : limit; n <= limit; n++) {
+        count = shape_profile_fit(&target->profile, n, spheres);
+        measure_row(&f, spheres, count);
+        if (asks && count > 0 && is_met(&f)) break;
+    }
+    return finish(&f, count);
+}

@@ -1,0 +1,190 @@
+/* Filling: inside, symmetric, nested, the same every time; what is asked for is met; how good it is
+ * is measured right where a formula knows it. */
+#include <time.h>
+
+#include "shapes/clump.h"
+#include "shapes/fill.h"
+#include "shapes/numbers.h"
+#include "shapes/quality.h"
+#include "tests/support/check.h"
+
+static const double DEGREE = SHAPE_PI / 180;
+
+static const shape_solid SOLIDS[] = {
+    {SHAPE_SPHERE, {0.73}},           {SHAPE_ELLIPSOID, {1.31, 0.57, 0.83}},
+    {SHAPE_CYLINDER, {0.5, 2.3}},     {SHAPE_CUBE, {0.87}},
+    {SHAPE_BLOCK, {1.7, 0.6, 0.9}},   {SHAPE_PARALLELEPIPED, {1.9, 0.7}},
+    {SHAPE_TETRAHEDRON, {1.3}},       {SHAPE_CONE, {0.66, 1.4}},
+    {SHAPE_DOUBLE_CONE, {0.58, 2.1}}, {SHAPE_HYPERBOLOID, {0.9, 0.5, 1.7}},
+    {SHAPE_BARREL, {0.5, 0.8, 1.9}},  {SHAPE_DISC, {1.1, 0.45, 0.4}},
+    {SHAPE_TORUS, {0.3, 0.95}},
+};
+
+static shape_sphere spheres[SHAPE_SPHERES_MAX], again[SHAPE_SPHERES_MAX];
+static int level[SHAPE_SPHERES_MAX];
+
+/* At density 1.6: inscribed, dense enough, centred and aligned as the solid is. */
+static void every_solid_is_filled(void **state) {
+    (void)state;
+    for (int kind = 0; kind < SHAPE_KINDS; kind++) {
+        shape_target *t = shape_target_of_solid(&SOLIDS[kind]);
+        shape_filling f = shape_fill(t, &(shape_stops){.density = 1.6}, spheres, NULL);
+        shape_quality q = shape_quality_of(t, spheres, f.count);
+        shape_mass u = shape_union_mass(spheres, f.count);
+        print_message("%-15s %4d spheres, density %.2f, volume %.3f, mean deviation %.4f\n",
+                      shape_solid_info_of(SOLIDS[kind].kind)->name, f.count, f.density,
+                      u.volume / t->mass.volume, q.deviation_mean);
+        assert_true(f.met && f.count >= 1);
+        CHECK_NEAR(q.protrusion, 0, 1e-8);
+        CHECK_BELOW(u.volume, t->mass.volume * (1 + 1e-6));
+        if (kind != SHAPE_CONE) CHECK_NEAR(sv_norm(u.centre), 0, 1e-7);
+        double largest = u.inertia[0][0];
+        for (int k = 0; k < 3; k++) CHECK_NEAR(u.inertia[k][(k + 1) % 3], 0, 1e-6 * largest);
+        shape_target_free(t);
+    }
+}
+
+static void more_is_nearer(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_CYLINDER]);
+    double last = HUGE_VAL;
+    int count = 0;
+    for (double q = 1; q <= 3; q += 0.5) {
+        shape_filling f = shape_fill(t, &(shape_stops){.density = q}, spheres, NULL);
+        double mean = shape_quality_of(t, spheres, f.count).deviation_mean;
+        assert_true(f.met && f.count > count);
+        CHECK_BELOW(mean, last);
+        /* measured on other samples than those that stopped it */
+        CHECK_BELOW(mean, 1.05 * shape_density_deviation(q) * f.inscribed);
+        last = mean, count = f.count;
+    }
+    CHECK_NEAR(shape_fill(t, &(shape_stops){.spheres = 1}, spheres, NULL).inscribed, 0.5, 1e-9);
+    shape_target_free(t);
+}
+
+static void levels_are_nested_and_repeat(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_BLOCK]);
+    shape_filling f = shape_fill(t, &(shape_stops){.spheres = 60}, spheres, level);
+    assert_true(f.count <= 60 && f.count > 52); /* orbits have 8 at most */
+    shape_filling g = shape_fill(t, &(shape_stops){.spheres = 60}, again, NULL);
+    assert_int_equal(f.count, g.count);
+    assert_memory_equal(spheres, again, (size_t)f.count * sizeof *spheres);
+    int seventh = 0;
+    while (level[seventh] < 4) seventh++;
+    g = shape_fill(t, &(shape_stops){.spheres = seventh}, again, NULL);
+    assert_int_equal(g.count, seventh);
+    assert_memory_equal(spheres, again, (size_t)seventh * sizeof *spheres);
+    shape_target_free(t);
+}
+
+static void other_stops(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_BARREL]);
+    shape_filling f = shape_fill(t, &(shape_stops){.deviation = 0.08}, spheres, NULL);
+    assert_true(f.met);
+    CHECK_BELOW(shape_quality_of(t, spheres, f.count).deviation_max, 0.085);
+    f = shape_fill(t, &(shape_stops){.density = 6, .smallest = 0.3}, spheres, NULL);
+    for (int i = 0; i < f.count; i++) CHECK_BELOW(0.3, spheres[i].radius);
+    assert_false(f.met); /* the rim cannot be reached by such spheres, and it says so */
+    f = shape_fill(t, &(shape_stops){.density = 2, .smallest = 1}, spheres, NULL);
+    assert_int_equal(f.count, 0);
+    shape_target_free(t);
+}
+
+/* Ten thousand triangles in seconds; spheres inside but for the slack of the facets. */
+static void a_mesh_is_filled(void **state) {
+    (void)state;
+    shape_mesh mesh = shape_solid_mesh(&SOLIDS[SHAPE_ELLIPSOID], 2);
+    for (size_t i = 0; i < mesh.vertex_count; i++) { /* a stone: dents in an ellipsoid */
+        shape_vec v = mesh.vertex[i];
+        double dent = 1 + 0.08 * sin(3 * v.x + 1) * cos(4 * v.y) + 0.05 * sin(5 * v.z);
+        mesh.vertex[i] = sv_add(sv_scale(dent, v), sv(3, -1, 2));
+    }
+    print_message("%zu triangles\n", mesh.triangle_count);
+    const char *fault;
+    clock_t start = clock();
+    shape_target *t = shape_target_of_mesh(&mesh, &fault);
+    shape_filling f = shape_fill(t, &(shape_stops){.spheres = 31}, spheres, NULL);
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    shape_quality q = shape_quality_of(t, spheres, f.count);
+    print_message("%d spheres in %.2f s: density %.2f, mean deviation %.2g, sticks out %.2g\n",
+                  f.count, seconds, f.density, q.deviation_mean / t->size, q.protrusion / t->size);
+    assert_int_equal(f.count, 31);
+    CHECK_BELOW(q.protrusion, 1.01 * t->slack);
+    CHECK_BELOW(q.deviation_mean, 0.01 * t->size);
+    CHECK_BELOW(seconds, 10);
+    shape_clump c = shape_clump_of(spheres, f.count, &t->mass, SHAPE_MASS_SOLID);
+    CHECK_CLOSE(c.as_union.volume, c.as_solid.volume, 0.1);
+    CHECK_BELOW(c.as_union.volume_bound, 1e-6);
+    shape_clump_free(&c);
+    shape_target_free(t);
+}
+
+/* A row of equal spheres in a long cylinder with rounded ends: A00 3.8 knows the angle. The largest
+ * of 4000 places misses the bottom of a hollow by little. */
+static void the_contact_normal_of_a_row(void **state) {
+    (void)state;
+    for (int q = 1; q <= 4; q *= 2) {
+        int count = 5 * q - q + 1;
+        static double at[4000][2];
+        int points = 0;
+        for (int i = 0; i <= 600; i++, points++) { /* capsule: aspect ratio 5 */
+            double a = SHAPE_PI / 2 * i / 600;
+            at[points][0] = -4 - cos(a), at[points][1] = sin(a);
+        }
+        for (int i = 0; i <= 600; i++, points++) {
+            double a = SHAPE_PI / 2 * i / 600;
+            at[points][0] = 4 + sin(a), at[points][1] = cos(a);
+        }
+        at[0][1] = at[points - 1][1] = 0;
+        shape_target *capsule = shape_target_of_profile(at, points);
+        for (int i = 0; i < count; i++)
+            spheres[i] = (shape_sphere){{-4 + 8.0 * i / (count - 1), 0, 0}, 1};
+        shape_quality of = shape_quality_of(capsule, spheres, count);
+        double want = asin(0.5 / q);
+        print_message("q = %d: %.2f and %.2f degrees, friction %.3f, mean %.4f\n", q,
+                      of.normal_max / DEGREE, of.normal_95 / DEGREE, of.friction,
+                      of.deviation_mean);
+        CHECK_NEAR(of.normal_max, want, 0.03 * want);
+        CHECK_BELOW(of.normal_95, want);
+        CHECK_CLOSE(of.friction, tan(0.5 * of.normal_95), 1e-12);
+        CHECK_NEAR(of.step, 1 / cbrt(capsule->mass.volume / (4 * SHAPE_PI / 3)), 1e-12);
+        shape_target_free(capsule);
+    }
+}
+
+static void a_sphere_costs_one(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_SPHERE]);
+    shape_filling f = shape_fill(t, &(shape_stops){.density = 8}, spheres, NULL);
+    assert_int_equal(f.count, 1);
+    shape_quality q = shape_quality_of(t, spheres, 1);
+    CHECK_NEAR(q.contacts, 1, 0);
+    CHECK_NEAR(q.cost, 1, 1e-12);
+    CHECK_NEAR(q.normal_max, 0, 1e-7);
+    shape_target_free(t);
+}
+
+/* A clump of a cone, whose union has its centre elsewhere: each is at rest in its own frame. */
+static void clumps_are_centred_by_the_mass_chosen(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_CONE]);
+    shape_filling f = shape_fill(t, &(shape_stops){.density = 1.3}, spheres, NULL);
+    shape_clump solid = shape_clump_of(spheres, f.count, &t->mass, SHAPE_MASS_SOLID);
+    shape_clump unite = shape_clump_of(spheres, f.count, &t->mass, SHAPE_MASS_UNION);
+    CHECK_NEAR(sv_distance(solid.sphere[0].centre, spheres[0].centre), 0, 0);
+    assert_true(sv_norm(unite.origin) > 1e-3);
+    CHECK_NEAR(sv_norm(shape_union_mass(unite.sphere, f.count).centre), 0, 1e-7);
+    CHECK_CLOSE(solid.volume, t->mass.volume, 0);
+    CHECK_CLOSE(unite.volume, unite.as_union.volume, 0);
+    assert_true(solid.frame.moment[1] == solid.frame.moment[2]);
+    shape_clump_free(&solid), shape_clump_free(&unite);
+    shape_target_free(t);
+}
+
+TEST_MAIN(cmocka_unit_test(every_solid_is_filled), cmocka_unit_test(more_is_nearer),
+          cmocka_unit_test(levels_are_nested_and_repeat), cmocka_unit_test(other_stops),
+          cmocka_unit_test(a_mesh_is_filled), cmocka_unit_test(the_contact_normal_of_a_row),
+          cmocka_unit_test(a_sphere_costs_one),
+          cmocka_unit_test(clumps_are_centred_by_the_mass_chosen))
