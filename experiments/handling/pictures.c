@@ -1,0 +1,58 @@
+/* pictures.c - frames like those of A00 Figs 3.25, 3.26, 3.28, 3.30 and 3.32, and films. */
+#include <math.h>
+
+#include "experiments/handling/handling.h"
+#include "experiments/study/pictures.h"
+
+typedef struct still {
+    scene_kind kind;
+    double time; /* s */
+    const char *name;
+} still;
+
+static const still STILLS[] = {
+    {TAPERED, 0.6, "tapered-1"},
+    {TAPERED, 1.3, "tapered-2"},
+    {TAPERED, 2.2, "tapered-3"},
+    {IRREGULAR, 0.5, "irregular-1"},
+    {IRREGULAR, 1.0, "irregular-2"},
+    {IRREGULAR, 1.6, "irregular-3"},
+    {BUNCH, 0.0, "bunch-1"},
+    {BUNCH, 0.6, "bunch-2"},
+    {BUNCH, 2.0, "bunch-3"},
+    {SINGULATION, 0.0, "singulation-1"},
+    {SINGULATION, 3.0, "singulation-2"},
+    {SINGULATION, 5.5, "singulation-3"},
+    {DISC, 2.0, "disc"},
+};
+
+static int take(const handling_study *s, const handling_run *run, double time, const char *name,
+                const char *colour) {
+    return run ? picture_still(CLAST_COMMAND, run->folder, time, s->frames, name, colour) : 0;
+}
+
+/* The shape in the middle, as A00 Fig. 3.30 shows its case 3: at rest, in flow, at the end. */
+static int pictures_of_bin(const handling_study *s) {
+    const handling_run *run = run_of(s, BIN, 0, 0);
+    for (int i = 0; i < s->run_count; i++)
+        if (s->runs[i].kind == BIN && s->runs[i].ran && s->runs[i].shape == SHAPES / 2 &&
+            s->runs[i].variant == 0 && s->runs[i].replicate == 0 && s->runs[i].orifice == 0)
+            run = &s->runs[i];
+    return take(s, run, 0, "bin-1", "initial-height") |
+           take(s, run, 0.2, "bin-2", "initial-height") |
+           take(s, run, 1e9, "bin-3", "initial-height");
+}
+
+static int film(const handling_study *s, scene_kind kind) {
+    const handling_run *run = run_of(s, kind, 0, 0);
+    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind], "speed") : 0;
+}
+
+int handling_pictures(const handling_study *s) {
+    int bad = pictures_of_bin(s);
+    for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
+        bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), STILLS[i].time, STILLS[i].name, "speed");
+    bool small = s->size->shapes == 1; /* films take as long as all runs of the quick size */
+    for (int kind = 0; kind < KINDS && !small; kind++) bad |= film(s, (scene_kind)kind);
+    return bad ? 4 : 0;
+}

@@ -1,0 +1,218 @@
+/* plan.c - which runs each size is made of. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/check.h"
+#include "experiments/handling/handling.h"
+
+const char *const KIND_NAME[KINDS] = {"tapered",     "irregular", "bunch",
+                                      "singulation", "disc",      "bin"};
+const double ORIFICE_CM[ORIFICES] = {5, 6, 7, 8};
+
+enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
+
+const handling_size SIZES[3] = {
+    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1}, 1, 1, 8, 1},
+    [STUDY_PUBLISHED] = {"published", {20, 10, 5, 5, 1, 5}, SHAPES, ORIFICES, 32, 5},
+    [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20}, SHAPES, ORIFICES, 32, 20},
+};
+
+/* Young's modulus of the button and of chapter 5, with the Rayleigh step that belongs to it. */
+#define SOFT "young=3.5 GPa"
+
+const variant VARIANTS[] = {
+    {KINDS, "(baseline)", "", {NULL}, {NULL}, 0},
+    {TAPERED, "Young's modulus", "3.5 GPa", {NULL}, {SOFT, "step=19.6 us"}, 0},
+    {TAPERED, "time step", "a tenth", {NULL}, {"step=1.19 us"}, 0},
+    {TAPERED,
+     "spheres 7 and 14",
+     "where the cone has them",
+     {NULL},
+     {"seventh=0.79 cm", "fourteenth=5.76 cm"},
+     0},
+    {TAPERED, "centre of mass", "of the union", {NULL}, {"offset=2.56 mm"}, 0},
+    {IRREGULAR,
+     "Young's modulus",
+     "3.5 GPa",
+     {SOFT, "step=82.4 us"},
+     {SOFT, "step=82.4 us", "sample=82.4 us"},
+     0},
+    {IRREGULAR, "time step", "a tenth", {NULL}, {"step=5 us", "sample=50 us"}, 0},
+    {IRREGULAR,
+     "centre of mass",
+     "of the union",
+     {"offset=3.22 mm"},
+     {"offset=3.22 mm", "sample=50 us"},
+     0},
+    {BUNCH, "Young's modulus", "3.5 GPa", {SOFT, "step=19.6 us"}, {SOFT, "step=19.6 us"}, 0},
+    {BUNCH, "orifice while settling", "open", {"opened=1 us"}, {NULL}, 0},
+    {SINGULATION, "Young's modulus", "3.5 GPa", {SOFT, "step=84 us"}, {SOFT, "step=84 us"}, 0},
+    {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=never"}, 0},
+    {DISC, "one sphere", "as cut", {NULL}, {"count=1"}, 0},
+    {DISC, "one sphere", "8 x 8 cells", {NULL}, {"count=1"}, 8},
+    {DISC, "one sphere", "16 x 16 cells", {NULL}, {"count=1"}, 16},
+    {DISC, "one sphere", "64 x 64 cells", {NULL}, {"count=1"}, FINE_CELLS},
+    {DISC, "spin", "10 rpm", {NULL}, {"spin=10 rpm"}, 0},
+    {BIN, "Young's modulus", "3.5 GPa", {SOFT}, {SOFT}, 0},
+    {BIN, "time step", "a half", {"step=5 us"}, {"step=5 us"}, 0},
+    {BIN, "friction while settling", "0.5", {"friction=0.5", "wall_friction=0.5"}, {NULL}, 0},
+    {BIN, "friction while flowing", "0.2", {NULL}, {"friction=0.2", "wall_friction=0.2"}, 0},
+    {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=never"}, 0},
+};
+const int VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS;
+
+/* ---- jobs ------------------------------------------------------------------------------------ */
+
+static const char *const BED_SCENE[KINDS] = {NULL,
+                                             SCENES "/irregular-settle.yaml",
+                                             SCENES "/bunch-settle.yaml",
+                                             SCENES "/singulation-fill.yaml",
+                                             NULL,
+                                             SCENES "/bin-fill.yaml"};
+static const char *const SCENE[KINDS] = {SCENES "/tapered.yaml",
+                                         SCENES "/irregular.yaml",
+                                         SCENES "/bunch.yaml",
+                                         SCENES "/singulation.yaml",
+                                         NULL,
+                                         SCENES "/bin-flow.yaml"};
+
+static void set_all(job *j, const char *const *settings) {
+    for (int i = 0; i < 3 && settings[i]; i++) job_set(j, "%s", settings[i]);
+}
+
+static void set_shape(job *j, const handling_run *r) {
+    if (r->kind != BIN) return;
+    pair_shape p = pair_of(ASPECT[r->shape]);
+    job_set(j, "radius=%.9g mm", 10 * p.radius);
+    job_set(j, "half=%.9g mm", 10 * p.half);
+    job_set(j, "axial=%.9g cm2", p.axial);
+    job_set(j, "across=%.9g cm2", p.across);
+}
+
+static const char *plan_bed(handling_study *s, const handling_run *r) {
+    job *j = &s->beds[s->bed_count++];
+    j->scene = BED_SCENE[r->kind];
+    snprintf(j->label, sizeof j->label, "%s-bed-%02d", KIND_NAME[r->kind], r->replicate + 1);
+    job_set(j, "seed=%d", 1 + r->replicate);
+    set_shape(j, r);
+    set_all(j, VARIANTS[r->variant].bed);
+    jobs_name(j, s->root);
+    return j->folder;
+}
+
+/* The disc has a scene file of its own for each number of cells, below the build. */
+static const char *disc_scene(const handling_study *s, const variant *v) {
+    static char paths[FINE_CELLS + 1][700];
+    int cells = v->cells ? v->cells : s->size->disc_cells;
+    char *path = paths[cells];
+    if (path[0]) return path;
+    snprintf(path, sizeof paths[0], "%s/disc-%d.yaml", s->root, cells);
+    FILE *f = fopen(path, "w");
+    int bad = f ? disc_write(SCENES "/disc.yaml", cells, f) : 4;
+    if (!f || fclose(f) || bad) {
+        fprintf(stderr, "%s cannot be written\n", path);
+        exit(4);
+    }
+    return path;
+}
+
+static void plan_run(handling_study *s, handling_run *r) {
+    const variant *v = &VARIANTS[r->variant];
+    job *j = &s->jobs[s->run_count];
+    j->scene = r->kind == DISC ? disc_scene(s, v) : SCENE[r->kind];
+    snprintf(j->label, sizeof j->label, "%s-%02d", KIND_NAME[r->kind], r->replicate + 1);
+    if (BED_SCENE[r->kind])
+        job_set(j, "bed=%s", plan_bed(s, r));
+    else
+        job_set(j, "seed=%d", 1 + r->replicate);
+    set_shape(j, r);
+    if (r->kind == BIN) job_set(j, "orifice=%g cm", ORIFICE_CM[r->orifice]);
+    if (r->kind == IRREGULAR && r->variant == 0) job_set(j, "sample=50 us");
+    if (r->kind == SINGULATION && s->size == &SIZES[STUDY_QUICK]) job_set(j, "latest=8 s");
+    set_all(j, v->run);
+    jobs_name(j, s->root);
+    r->folder = j->folder;
+    s->runs[s->run_count++] = *r;
+}
+
+static void plan_kind(handling_study *s, scene_kind kind, int of_variant, int replicates) {
+    bool all = kind == BIN && of_variant == 0;
+    int shapes = all ? s->size->shapes : 1, orifices = all ? s->size->orifices : 1;
+    for (int shape = 0; shape < shapes; shape++)
+        for (int orifice = 0; orifice < orifices; orifice++)
+            for (int k = 0; k < replicates; k++) {
+                bool one = kind == BIN && shapes == 1;
+                CLAST_ASSERT(s->run_count < RUNS_MAX);
+                plan_run(s, &(handling_run){.kind = kind,
+                                            .variant = of_variant,
+                                            .replicate = k,
+                                            .shape = one ? MIDDLE_SHAPE : shape,
+                                            .orifice = orifice});
+            }
+}
+
+void handling_plan(handling_study *s) {
+    s->beds = calloc(RUNS_MAX, sizeof *s->beds);
+    s->jobs = calloc(RUNS_MAX, sizeof *s->jobs);
+    if (!s->beds || !s->jobs) abort();
+    for (int kind = 0; kind < KINDS; kind++)
+        plan_kind(s, (scene_kind)kind, 0, s->size->replicates[kind]);
+    for (int v = 1; v < VARIANT_COUNT; v++) {
+        int replicates = s->size->replicates[VARIANTS[v].kind];
+        /* the quick size checks the rolling of one sphere alone */
+        if (s->size->variants == 1 && (VARIANTS[v].kind != DISC || VARIANTS[v].cells)) continue;
+        if (replicates > s->size->variants) replicates = s->size->variants;
+        plan_kind(s, VARIANTS[v].kind, v, replicates);
+    }
+}
+
+int handling_run_all(handling_study *s) {
+    int processes = jobs_processes();
+    int failed = jobs_run(s->beds, s->bed_count, processes, "settling");
+    failed += jobs_run(s->jobs, s->run_count, processes, "handling");
+    for (int i = 0; i < s->run_count; i++) s->runs[i].ran = s->jobs[i].done;
+    return failed;
+}
+
+/* ---- looking runs up ------------------------------------------------------------------------- */
+
+static const handling_run *find(const handling_study *s, scene_kind kind, int of_variant, int shape,
+                                int orifice, int replicate) {
+    for (int i = 0; i < s->run_count; i++) {
+        const handling_run *r = &s->runs[i];
+        if (r->ran && r->kind == kind && r->variant == of_variant && r->replicate == replicate &&
+            (shape < 0 || r->shape == shape) && (orifice < 0 || r->orifice == orifice))
+            return r;
+    }
+    return NULL;
+}
+
+const handling_run *run_of(const handling_study *s, scene_kind kind, int of_variant,
+                           int replicate) {
+    return find(s, kind, of_variant, -1, -1, replicate);
+}
+
+const handling_run *flow_of(const handling_study *s, int of_variant, int shape, int orifice,
+                            int replicate) {
+    return find(s, BIN, of_variant, shape, orifice, replicate);
+}
+
+double spin_of(int of_variant) {
+    bool slow = VARIANTS[of_variant].kind == DISC && !strcmp(VARIANTS[of_variant].name, "10 rpm");
+    return slow ? DISC_SPIN * 6.283185307179586 / 60 : DISC_SPIN;
+}
+
+results *run_open(const handling_run *r) {
+    char why[RESULTS_ERROR_MAX];
+    results *all = results_open(r->folder, why);
+    if (all) return all;
+    fprintf(stderr, "handling: %s\n", why);
+    exit(4);
+}
+
+const double *run_column(const results *r, const char *name) {
+    const double *c = results_series(r, name);
+    if (c) return c;
+    fprintf(stderr, "handling: a run has no column %s: was it made by another version?\n", name);
+    exit(4);
+}

@@ -1,0 +1,109 @@
+/* verdicts.c - what the source says about its scenes, ours beside it. Most of it is sentences: a
+ * share of runs or particles for which the sentence holds stands for them. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "experiments/handling/handling.h"
+#include "experiments/study/published.h"
+#include "experiments/study/verdict.h"
+
+typedef struct court {
+    published_table *published;
+    verdict_table *table;
+} court;
+
+static void say(const court *c, const char *quantity, interval ours) {
+    const published *p = published_find(c->published, quantity);
+    if (!p) {
+        fprintf(stderr, "handling: published.csv has no row '%s'\n", quantity);
+        exit(4);
+    }
+    verdict_published(c->table, p, ours, true);
+}
+
+static void judge_conveyors(const court *c, const handling_study *s) {
+    conveyed_summary cone = conveyed_over(s, TAPERED, 0), pear = conveyed_over(s, IRREGULAR, 0);
+    say(c, "tapered: share carried with the upper conveyor", cone.carried);
+    say(c, "tapered: share dropped on the lower surface", cone.dropped);
+    say(c, "tapered: share moved back by the lower surface", cone.returned);
+    say(c, "irregular: share dropped on the lower surface", pear.dropped);
+    say(c, "irregular: largest force on the lower conveyor in the first collision",
+        pear.first_is_largest);
+    say(c, "irregular: largest tangential force in the same collision", pear.shear_with_normal);
+    say(c, "irregular: largest force seen every 50 steps over that seen every step",
+        pear.seen_part);
+    say(c, "irregular: largest force on the lower conveyor", pear.peak);
+    say(c, "bunch: share dropped on the lower conveyor", conveyed_over(s, BUNCH, 0).dropped);
+}
+
+static void judge_singulation(const court *c, const handling_study *s) {
+    singled_summary one = singled_over(s, 0);
+    say(c, "singulation: share that touches another one at the start", one.before);
+    say(c, "singulation: share that is drawn on the fast conveyor", one.passed);
+    say(c, "singulation: share that touches no other one there", one.alone);
+    say(c, "singulation: speed on the fast conveyor", one.speed);
+}
+
+/* Share of arches over some of the shapes and some of the orifices. */
+static double arches_of(const handling_study *s, int shape, int shapes, int orifice, int orifices) {
+    double sum = 0;
+    int runs = 0;
+    for (int i = shape; i < shape + shapes; i++)
+        for (int k = orifice; k < orifice + orifices; k++) {
+            bin_summary b = bin_over(s, 0, i, k);
+            if (b.runs > 0) sum += b.arched.mean * b.runs, runs += b.runs;
+        }
+    return runs ? sum / runs : NAN;
+}
+
+static double is_above(double a, double b) {
+    return isnan(a) || isnan(b) ? NAN : a > b;
+}
+
+static void judge_bin(const court *c, const handling_study *s) {
+    char quantity[100];
+    for (int shape = 0; shape < SHAPES; shape++) {
+        snprintf(quantity, sizeof quantity, "bin: share of permanent arches at 5 cm aspect %.1f",
+                 ASPECT[shape]);
+        bin_summary b = bin_over(s, 0, shape, 0);
+        if (b.runs > 0) say(c, quantity, b.arched);
+    }
+    if (s->size->orifices < ORIFICES) return;
+    double narrow = arches_of(s, 0, SHAPES, 0, 1), wide = arches_of(s, 0, SHAPES, ORIFICES - 1, 1);
+    double short_ones = arches_of(s, 0, 2, 0, ORIFICES);
+    double long_ones = arches_of(s, SHAPES - 2, 2, 0, ORIFICES);
+    say(c, "bin: arches less often at 8 cm than at 5 cm", interval_exact(is_above(narrow, wide)));
+    say(c, "bin: arches more often with the aspect ratio",
+        interval_exact(is_above(long_ones, short_ones)));
+}
+
+static int single_sphere(void) {
+    for (int v = 1; v < VARIANT_COUNT; v++)
+        if (VARIANTS[v].kind == DISC && VARIANTS[v].cells == 0) return v;
+    abort();
+}
+
+static void judge_disc(const court *c, const handling_study *s) {
+    double frequency = disc_over(s, single_sphere()).frequency.mean;
+    say(c,
+        "disc: rolling sphere: relative difference of its angular frequency from 2/7 of the spin",
+        interval_exact(fabs(frequency / (2.0 / 7) - 1)));
+    say(c, "disc: share of the spheres that stay on it", disc_over(s, 0).stay);
+}
+
+int handling_verdicts(const handling_study *s, const char *path) {
+    char why[PUBLISHED_ERROR_MAX];
+    court c = {published_read(SCENES "/published.csv", why), verdict_new("handling")};
+    if (!c.published) {
+        fprintf(stderr, "%s\n", why);
+        return 4;
+    }
+    judge_conveyors(&c, s);
+    judge_singulation(&c, s);
+    judge_bin(&c, s);
+    judge_disc(&c, s);
+    int code = verdict_finish(c.table, path, stdout);
+    verdict_free(c.table);
+    published_free(c.published);
+    return code;
+}

@@ -1,0 +1,193 @@
+/* test_templates.c - the particles of A00 Appendix D as the scenes have them: mass and moments of
+ * the union of the spheres, the two-sphere particles of 3.9.4, the damping ratio, and the cells of
+ * the disc. */
+#include "tests/support/check.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "experiments/handling/handling.h"
+#include "experiments/scene/scene.h"
+
+static scene *load(const char *name) {
+    char path[1000], *faults = NULL;
+    snprintf(path, sizeof path, "%s/%s", SCENES, name);
+    scene *s = scene_load(path, &(scene_options){.parse_only = true}, &faults);
+    if (!s) fail_msg("%s", faults);
+    free(faults);
+    return s;
+}
+
+/* ---- bodies of revolution -------------------------------------------------------------------- */
+
+typedef struct profile {
+    const clast_shape_def *shape;
+    int moment; /* 0 volume, 1 first, 2 axial, 3 across, about the origin */
+} profile;
+
+static double disc_at(double x, void *context) {
+    const profile *p = context;
+    double square = 0;
+    for (int i = 0; i < p->shape->spheres; i++) {
+        double u = x - p->shape->centre[i].x, r = p->shape->radius[i];
+        square = fmax(square, r * r - u * u);
+    }
+    const double all[4] = {square, square * x, 0.5 * square * square,
+                           0.25 * square * square + square * x * x};
+    return 3.14159265358979323846 * all[p->moment];
+}
+
+static double integral(const clast_shape_def *shape, int moment) {
+    double from = INFINITY, to = -INFINITY, result, error;
+    for (int i = 0; i < shape->spheres; i++) {
+        from = fmin(from, shape->centre[i].x - shape->radius[i]);
+        to = fmax(to, shape->centre[i].x + shape->radius[i]);
+    }
+    profile p = {shape, moment};
+    gsl_function f = {disc_at, &p};
+    gsl_integration_workspace *space = gsl_integration_workspace_alloc(2000);
+    gsl_integration_qag(&f, from, to, 0, 1e-8, 2000, GSL_INTEG_GAUSS21, space, &result, &error);
+    gsl_integration_workspace_free(space);
+    return result;
+}
+
+/* The scenes print five digits or more. */
+static void near(double ours, double wanted) {
+    if (fabs(ours / wanted - 1) > 5e-5) fail_msg("found %.9g, expected %.9g", ours, wanted);
+}
+
+static void check_union(const char *name, double offset_mm) {
+    scene *s = load(name);
+    clast_shape_def d = clast_world_shape(s->world, 0);
+    double density = s->materials[d.material].density, volume = integral(&d, 0);
+    double centroid = integral(&d, 1) / volume;
+    near(d.mass, density * volume);
+    near(d.inertia.x, density * integral(&d, 2));
+    near(d.inertia.y, density * (integral(&d, 3) - volume * centroid * centroid));
+    assert_true(d.inertia.z == d.inertia.y);
+    if (fabs(1e3 * centroid + offset_mm) > 0.01) fail_msg("%s: %g mm", name, 1e3 * centroid);
+    scene_free(s);
+}
+
+/* What PRO counts from is not the centre of the union: by as much as the scenes say. */
+static void unions_have_their_mass(void **state) {
+    (void)state;
+    check_union("tapered.yaml", 2.56);
+    check_union("bunch-settle.yaml", 2.56);
+    check_union("irregular-settle.yaml", 3.22);
+    check_union("singulation-fill.yaml", 0.023);
+    check_union("bin-fill.yaml", 0);
+}
+
+/* Spheres of a spheroid of half axes 7.5 and 4.5 cm that touch it inside: 1.67, where the text says
+ * two. */
+static void the_spheroid_of_the_input(void **state) {
+    (void)state;
+    scene *s = load("singulation-fill.yaml");
+    clast_shape_def d = clast_world_shape(s->world, 0);
+    const double a = 0.075, b = 0.045;
+    for (int i = 0; i < d.spheres; i++) {
+        double x = d.centre[i].x, wanted = b * sqrt(1 - x * x / (a * a - b * b));
+        assert_true(fabs(d.radius[i] - wanted) < 1.5e-4);
+    }
+    scene_free(s);
+}
+
+/* ---- two spheres ----------------------------------------------------------------------------- */
+
+static void pairs_have_the_volume_of_one_sphere(void **state) {
+    (void)state;
+    for (int i = 0; i < SHAPES; i++) {
+        pair_shape p = pair_of(ASPECT[i]);
+        const clast_vec3 centre[2] = {{-p.half, 0, 0}, {p.half, 0, 0}};
+        const double radius[2] = {p.radius, p.radius};
+        clast_shape_def d = {.spheres = 2, .centre = centre, .radius = radius};
+        double volume = integral(&d, 0);
+        assert_true(fabs(volume / (4 * 3.14159265358979323846 / 3) - 1) < 1e-7);
+        assert_true(fabs((p.half + p.radius) / p.radius - ASPECT[i]) < 1e-12);
+        assert_true(fabs(integral(&d, 2) / volume / p.axial - 1) < 1e-7);
+        assert_true(fabs(integral(&d, 3) / volume / p.across - 1) < 1e-7);
+    }
+    pair_shape sphere = pair_of(1);
+    assert_true(fabs(sphere.radius - 1) < 1e-15 && fabs(sphere.axial - 0.4) < 1e-15);
+    assert_true(fabs(sphere.across - 0.4) < 1e-15);
+}
+
+static void the_scene_has_one_of_them(void **state) {
+    (void)state;
+    scene *s = load("bin-fill.yaml");
+    clast_shape_def d = clast_world_shape(s->world, 0);
+    pair_shape p = pair_of(1.6);
+    assert_true(fabs(100 * d.radius[0] / p.radius - 1) < 1e-8);
+    assert_true(fabs(1e4 * d.inertia.y / d.mass / p.across - 1) < 1e-8);
+    scene_free(s);
+}
+
+/* ---- damping and disc ------------------------------------------------------------------------ */
+
+static void restitution_stands_for_the_damping_ratio(void **state) {
+    (void)state;
+    static const char *const NAMES[] = {"tapered.yaml", "irregular-settle.yaml",
+                                        "bunch-settle.yaml", "singulation-fill.yaml",
+                                        "disc.yaml", "bin-fill.yaml"};
+    for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
+        scene *s = load(NAMES[i]);
+        assert_int_equal(clast_world_definition(s->world)->law, CLAST_LAW_HERTZ_A00);
+        for (int k = 0; k < s->pair_count; k++) {
+            double e = s->pairs[k].def.restitution;
+            assert_true(fabs(clast_damping_ratio(CLAST_LAW_HERTZ_A00, e) - 0.5) < 1e-4);
+        }
+        scene_free(s);
+    }
+}
+
+static char *text_of(FILE *f) {
+    long length = ftell(f);
+    char *text = calloc((size_t)length + 1, 1);
+    assert_non_null(text);
+    rewind(f);
+    assert_int_equal(fread(text, 1, (size_t)length, f), length);
+    fclose(f);
+    return text;
+}
+
+/* disc.yaml is what its own writer makes of it, and every cell moves as its middle would. */
+static void the_disc_is_cut_into_cells(void **state) {
+    (void)state;
+    FILE *f = tmpfile(), *committed = fopen(SCENES "/disc.yaml", "r");
+    assert_true(f && committed);
+    assert_int_equal(disc_write(SCENES "/disc.yaml", 8, f), 0);
+    assert_int_equal(fseek(committed, 0, SEEK_END), 0);
+    char *written = text_of(f), *wanted = text_of(committed);
+    assert_string_equal(written, wanted);
+    free(written), free(wanted);
+    scene *s = load("disc.yaml");
+    int cells = 0;
+    double area = 0;
+    for (int i = 0; i < clast_world_wall_count(s->world); i++) {
+        clast_wall_def w = clast_world_wall(s->world, i);
+        if (strncmp(w.name, "cell_", 5)) continue;
+        cells++;
+        area += 4 * w.half_side[0] * w.half_side[1];
+        assert_true(fabs(w.belt_velocity.x + DISC_SPIN * w.point.y) < 1e-12);
+        assert_true(fabs(w.belt_velocity.y - DISC_SPIN * w.point.x) < 1e-12);
+    }
+    assert_int_equal(cells, 64);
+    assert_true(fabs(area - 1) < 1e-12);
+    scene_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(unions_have_their_mass),
+        cmocka_unit_test(the_spheroid_of_the_input),
+        cmocka_unit_test(pairs_have_the_volume_of_one_sphere),
+        cmocka_unit_test(the_scene_has_one_of_them),
+        cmocka_unit_test(restitution_stands_for_the_damping_ratio),
+        cmocka_unit_test(the_disc_is_cut_into_cells),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
