@@ -155,6 +155,29 @@ static const scene_key FIT_KEYS[] = {
 };
 TABLE(FIT, "shapes.NAME.fit", shape_item, FIT_KEYS);
 
+#undef TARGET
+#define TARGET size_rule
+static const scene_key SIZE_KEYS[] = {
+    {"uniform", KEY_NUMBERS, UNIT_NUMBER, FIELD(uniform), ABOVE(0), .length = 2, .one_of = true,
+     .meaning = "smallest and largest scale factor"},
+    {"normal", KEY_NUMBERS, UNIT_NUMBER, FIELD(normal), ABOVE(0), .length = 2, .one_of = true,
+     .meaning = "mean and standard deviation of the scale factor; needs between"},
+    {"log_normal", KEY_NUMBERS, UNIT_NUMBER, FIELD(log_normal), ABOVE(0), .length = 2,
+     .one_of = true,
+     .meaning = "median and geometric standard deviation (> 1) of the scale factor"},
+    {"table", KEY_FILE, FIELD(table), .one_of = true,
+     .meaning = "grading curve, columns size,number or size,mass: scale factor and the share, from "
+                "0 to 1, of bodies or of mass up to it; straight between rows"},
+    {"between", KEY_NUMBERS, UNIT_NUMBER, FIELD(between), ABOVE(0), .length = 2,
+     .meaning = "cuts normal and log_normal off"},
+    {"classes", KEY_COUNT, FIELD(classes), RANGE(1, 1000), .fallback = "20",
+     .meaning = "templates that stand for equally many bodies each, scaled by the median of their "
+                "class; no share is off by more than 1 / (2 classes)"},
+};
+TABLE(SIZE, "shapes.NAME.size", size_rule, SIZE_KEYS);
+
+#undef TARGET
+#define TARGET shape_item
 static const scene_key SHAPE_KEYS[] = {
     {"material", KEY_NAME, FIELD(material), .refers = "materials", .required = true,
      .meaning = "what it is made of"},
@@ -171,6 +194,9 @@ static const scene_key SHAPE_KEYS[] = {
      .meaning = "principal moments about x, y, z of the body; auto as for mass"},
     {"outline", KEY_POINTS, UNIT_LENGTH, FIELD(outline), ANY,
      .meaning = "[[x, z], ...] of the profile, for drawing; a fit brings its ellipse"},
+    {"size", KEY_PART, FIELD(size), .section = &SIZE,
+     .meaning = "bodies of many sizes: scale factors of the shape as it stands here, mass with the "
+                "cube, inertia with the fifth power"},
 };
 TABLE(SHAPE, "shapes.NAME", shape_item, SHAPE_KEYS);
 
@@ -241,6 +267,19 @@ static const scene_key TURN_KEYS[] = {
 TABLE(TURN, "bodies[].orientation", rotation, TURN_KEYS);
 
 #undef TARGET
+#define TARGET mixture_item
+static const scene_key MIXTURE_KEYS[] = {
+    {"shape", KEY_NAME, FIELD(shape), .refers = "shapes", .required = true,
+     .meaning = "one of those that are mixed"},
+    {"number", KEY_NUMBER, UNIT_NUMBER, FIELD(number), UP_TO(0, 1), .one_of = true,
+     .meaning = "its share of the bodies; all shares add up to 100 %, counts are exact (largest "
+                "remainder)"},
+    {"mass", KEY_NUMBER, UNIT_NUMBER, FIELD(mass), UP_TO(0, 1), .one_of = true,
+     .meaning = "its share of the mass, of all entries or of none; exact to one body"},
+};
+TABLE(MIXTURE, "bodies[].grid.mixture[]", mixture_item, MIXTURE_KEYS);
+
+#undef TARGET
 #define TARGET generator
 static const scene_key REGION_KEYS[] = {
     {"min", KEY_VECTOR, UNIT_LENGTH, FIELD(region_min), ANY, .required = true,
@@ -251,8 +290,10 @@ static const scene_key REGION_KEYS[] = {
 TABLE(REGION, "bodies[].grid.region", generator, REGION_KEYS);
 
 #define SHAPE_KEY                                                                                  \
-    {"shape", KEY_NAME, FIELD(shape), .refers = "shapes", .required = true,                        \
-     .meaning = "of every body placed"}
+    {"shape", KEY_NAME, FIELD(shape), .refers = "shapes", .one_of = true,                          \
+     .meaning = "of every body placed"},                                                           \
+    {"mixture", KEY_LIST, FIELD(mixture), .section = &MIXTURE, .one_of = true,                     \
+     .meaning = "several shapes with their shares"}
 #define REGION_KEY                                                                                 \
     {"region", KEY_SECTION, .section = &REGION, .required = true,                                  \
      .meaning = "box that holds their bounding spheres"}
