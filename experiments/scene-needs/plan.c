@@ -40,8 +40,8 @@ static const needs_switch SPHERE_SWITCHES[] = {
     {NEED_FRICTION, "smooth", "friction and rolling_friction: 0", "friction=0;rolling=0", "", 0},
     {NEED_ROLLING, "rolling", "rolling_friction: 0", "rolling=0", "", 0},
     ELASTIC,
-    {NEED_DEPTH, "layer", "one layer: motion in-plane y",
-     "motion=in-plane y;layers=1;half_depth=0 mm;sheet=0", "", 6},
+    {NEED_DEPTH, "layer", "one layer: motion in-plane y", "layers=1;half_depth=0 mm;sheet=0",
+     "motion=in-plane y", 6},
     LINEAR,
     PRECISION,
 };
@@ -52,7 +52,7 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
     {.name = "heap",
      .legs = 1,
      .leg = {{"scene-needs/heap.yaml", "",
-              "count=12;half_box=30 mm;young=10 MPa;step=40 us;"
+              "count=8;half_box=30 mm;young=10 MPa;step=40 us;"
               "fill=20 cm;settle=0.4 s;pile=1 s",
               ""}},
      .observables = 1,
@@ -62,7 +62,7 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
     {.name = "silo",
      .legs = 1,
      .leg = {{"scene-needs/silo.yaml", "",
-              "count=20;half_width=60 mm;young=10 MPa;step=40 us;"
+              "count=12;half_width=60 mm;young=10 MPa;step=40 us;"
               "fill=15 cm;settle=0.3 s;flow=0.5 s",
               ""}},
      .observables = 1,
@@ -72,9 +72,9 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
     {.name = "button hopper",
      .legs = 2,
      .leg = {{"button-hopper/fill.yaml", "friction=0.2;wall_friction=0.2;columns=10;step=4.5 us",
-              "young=175 MPa;step=15 us;settle=0.6 s", "output.frames=none"},
+              "young=175 MPa;step=30 us;settle=0.5 s", "output.frames=none"},
              {"button-hopper/discharge.yaml", "orifice=10 cm;step=4.5 us;latest=0.8 s",
-              "young=175 MPa;step=15 us;latest=0.5 s", "output.frames=none"}},
+              "young=175 MPa;step=30 us;latest=0.35 s", "output.frames=none"}},
      .observables = 2,
      .observable = {{"solid fraction at rest", "-", 0, needs_solid_fraction, false},
                     {"flow rate at 10 cm", "kg/s", 1, needs_flow_rate, false}},
