@@ -30,13 +30,16 @@ static const char HELP[] =
     "  --jobs N           runs side by side (default: CLAST_JOBS, else all processors)\n"
     "  --out FOLDER       keeps the pilots; what is there is not run again (default build/tune)\n"
     "  --write FILE       the tuned scene (default: tuned.yaml in that folder)\n"
+    "  --verify FILE      no search: judges that scene against SCENE, one look at all values of "
+    "--vary\n"
+    "                     or all --seeds; exit code 1 unless it keeps the observable\n"
     "  --set NAME=V       as in clast run: changes the scene before it is tuned\n"
     "\n"
     "example: clast tune bounce.yaml --observable out.kg:rate --tolerance 2% --write fast.yaml\n"
     "exit code: 0, 1 the scene as it stands fails, 2 usage, 3 faults in the scene, 4 files, 130\n";
 
 typedef struct arguments {
-    const char *path, *observable, *tolerance, *vary, *out, *write;
+    const char *path, *observable, *tolerance, *vary, *out, *write, *verify;
     option_list set;
     int seeds, jobs;
 } arguments;
@@ -52,6 +55,7 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--jobs", OPTION_COUNT, &a->jobs, NULL},
         {"--out", OPTION_TEXT, &a->out, NULL},
         {"--write", OPTION_TEXT, &a->write, NULL},
+        {"--verify", OPTION_TEXT, &a->verify, NULL},
         {"--set", OPTION_LIST, &a->set, NULL},
     };
     int found =
@@ -124,6 +128,22 @@ static int read_scene(const arguments *a, tune *t) {
     return code;
 }
 
+/* The text of --verify, which must be a scene. */
+static int read_other(const arguments *a, tune *t) {
+    char *faults = NULL, first[JOB_TEXT] = "";
+    const char *set[1] = {first};
+    if (t->vary && t->value_count > 0)
+        snprintf(first, sizeof first, "%s=%s", t->vary, t->values[0]);
+    scene *s = scene_load(
+        a->verify, &(scene_options){.set = set, .set_count = first[0] != 0, .threads = 1}, &faults);
+    if (faults) fputs(faults, stderr);
+    free(faults);
+    if (!s) return access(a->verify, R_OK) == 0 ? CLAST_EXIT_BAD_SCENE : CLAST_EXIT_FILE;
+    scene_free(s);
+    t->other = tune_source(a->verify, NULL, 0);
+    return t->other ? CLAST_EXIT_OK : CLAST_EXIT_FILE;
+}
+
 static int write_scene(const search *s, const char *path) {
     char *text = search_scene(s);
     int failure = file_write_text(path, text);
@@ -136,21 +156,32 @@ static int write_scene(const search *s, const char *path) {
     return CLAST_EXIT_OK;
 }
 
+/* Exit code of what was found, and the scene that it leads to. */
+static int finish(const arguments *a, const search *s) {
+    search_print(s, stdout);
+    if (a->verify) {
+        verdict_of_trial verdict = s->trials[0]->verdict;
+        return verdict == TRIAL_KEPT || verdict == TRIAL_NO_GAIN ? CLAST_EXIT_OK
+                                                                 : CLAST_EXIT_RUN_FAILED;
+    }
+    char *usual = path_in(a->out, "tuned.yaml");
+    int code = write_scene(s, a->write ? a->write : usual);
+    free(usual);
+    return code;
+}
+
 static int tune_scene(const arguments *a, tune *t) {
     int code = read_scene(a, t);
+    if (!code && a->verify) code = read_other(a, t);
     if (code) return code;
     search s = {.t = t};
-    char *usual = path_in(a->out, "tuned.yaml");
-    bool done = search_run(&s);
-    if (done) {
-        search_print(&s, stdout);
-        code = write_scene(&s, a->write ? a->write : usual);
+    if (a->verify ? search_verify(&s) : search_run(&s)) {
+        code = finish(a, &s);
     } else {
         fprintf(stderr, "clast tune: %s\n", t->failure);
         code = t->failure_code;
     }
     search_free(&s);
-    free(usual);
     return code;
 }
 
@@ -177,5 +208,6 @@ int cmd_tune(int argc, char **argv) {
     int code = a.vary && !read_vary(&t, copy) ? CLAST_EXIT_USAGE : tune_scene(&a, &t);
     free(copy);
     free(t.text);
+    free(t.other);
     return code;
 }

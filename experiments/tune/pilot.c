@@ -109,7 +109,7 @@ static void name_files(scene_edit *e, const char *scene_path, scene_buffer *note
 static char *pilot_text(const tune *t, setting s, int k) {
     scene_arena arena = {0};
     scene_faults faults = {.arena = &arena, .file = t->path};
-    const char *text = t->text;
+    const char *text = s.other ? t->other : t->text;
     if (t->vary) {
         const char *set = scene_print(&arena, "%s=%s", t->vary, t->values[k]);
         const tree_node *root = scene_tree_load(&arena, &faults, text, strlen(text));

@@ -14,6 +14,7 @@ enum { PILOTS_MAX = 256, TUNE_MESSAGE = 1000 };
 typedef struct tune {
     const char *path; /* of the scene: files that it names are looked for beside it */
     char *text;       /* with --set put in */
+    char *other;      /* text of a scene to verify; NULL: there is none */
     const char *out;  /* folder of the pilots */
     const char *vary; /* parameter that tells replicates apart; NULL: the seed does */
     char **values;    /* its values */

@@ -77,6 +77,17 @@ static void print_chosen(const search *s, FILE *to) {
     if (!s->t->confirm) fprintf(to, "not confirmed: too few replicates to keep some for that\n");
 }
 
+static void print_verified(const search *s, FILE *to) {
+    const trial *one = s->trials[0];
+    bool kept = one->verdict == TRIAL_KEPT || one->verdict == TRIAL_NO_GAIN;
+    const char *const words = kept ? "verified: the interval lies"
+                              : one->verdict == TRIAL_OPEN
+                                  ? "not shown: not all of the interval lies"
+                                  : "refuted: the interval does not lie";
+    fprintf(to, "%s within %g %%; a factor of %.2f in processor time\n", words,
+            100 * s->t->tolerance, candidate_ratio(&s->reference, &one->pilots));
+}
+
 void search_print(const search *s, FILE *to) {
     CLAST_ASSERT(s && to);
     int pairs[TUNE_LOOKS], looks = paired_looks(s->t->seeds, s->t->most, pairs);
@@ -91,7 +102,10 @@ void search_print(const search *s, FILE *to) {
     print_row(to, s, &s->reference, &none, "reference");
     for (int i = 0; i < s->count; i++) print_trial(to, s, s->trials[i]);
     fprintf(to, "\n");
-    print_chosen(s, to);
+    if (s->t->other)
+        print_verified(s, to);
+    else
+        print_chosen(s, to);
 }
 
 /* ---- the scene ------------------------------------------------------------------------------- */

@@ -52,7 +52,7 @@ static bool examine(search *s, candidate *c, int first, paired *p, verdict_of_tr
 
 static bool same_setting(setting a, setting b) {
     return a.step == b.step && a.soft == b.soft && a.fit == b.fit && a.mixed == b.mixed &&
-           a.leapfrog == b.leapfrog;
+           a.leapfrog == b.leapfrog && a.other == b.other;
 }
 
 /* NULL with t->failure. */
@@ -252,6 +252,19 @@ bool search_run(search *s) {
     for (knob k = 0; k < KNOBS; k++)
         if ((best[k] = best_level(s, k)) < 0) return false;
     return choose(s, best);
+}
+
+/* ---- another scene --------------------------------------------------------------------------- */
+
+bool search_verify(search *s) {
+    CLAST_ASSERT(s && s->t && s->t->other);
+    tune *t = s->t;
+    if (t->vary) t->seeds = t->value_count;
+    if (t->seeds < SEEDS_MIN || t->seeds > PILOTS_MAX)
+        return fail(s, 2, "--verify: expected 3 to 256 replicates");
+    t->most = t->seeds;
+    t->confirm = false;
+    return tune_look(t) && look_at_reference(s) && try_setting(s, (setting){.other = true});
 }
 
 void search_free(search *s) {

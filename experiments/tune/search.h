@@ -41,6 +41,11 @@ typedef struct search {
 /* Runs everything. False with t->failure. t->seeds, t->most and t->confirm are set from what
  * replicates there are. */
 bool search_run(search *s);
+
+/* Judges t->other against the scene as it stands: all replicates there are, one look, no search.
+ * False with t->failure. */
+bool search_verify(search *s);
+
 void search_free(search *s);
 
 /* 1 - 0.05 / looks: of every interval of this search, in per cent. */

@@ -34,7 +34,7 @@ static double step_ratio(const setting_space *space, setting s) {
 }
 
 double setting_time_step(const setting_space *space, setting s) {
-    return space->step * step_ratio(space, s);
+    return s.other ? (double)NAN : space->step * step_ratio(space, s);
 }
 
 bool setting_is_possible(const setting_space *space, setting s) {
@@ -74,12 +74,12 @@ static void write_knobs(setting s, const knob_words *words, char text[SETTING_LA
 
 void setting_describe(setting s, char text[SETTING_LABEL]) {
     write_knobs(s, &(knob_words){"step x ", "stiffness / ", "spheres ", ", "}, text);
-    if (!text[0]) snprintf(text, SETTING_LABEL, "as it stands");
+    if (!text[0]) snprintf(text, SETTING_LABEL, s.other ? "the other scene" : "as it stands");
 }
 
 void setting_name(setting s, char text[SETTING_LABEL]) {
     write_knobs(s, &(knob_words){"step", "soft", "fit", "-"}, text);
-    if (!text[0]) snprintf(text, SETTING_LABEL, "reference");
+    if (!text[0]) snprintf(text, SETTING_LABEL, s.other ? "other" : "reference");
 }
 
 /* ---- into the text --------------------------------------------------------------------------- */

@@ -13,6 +13,7 @@ typedef struct setting {
     int fit;       /* spheres of fitted shapes: as stated, 5, 3, 1 */
     bool mixed;    /* precision: mixed */
     bool leapfrog; /* scheme: leapfrog, where the scene names another */
+    bool other;    /* another scene, with knobs that are not known here; the rest is 0 */
 } setting;
 
 /* What the scene leaves to choose from. */
@@ -28,7 +29,7 @@ typedef struct setting_space {
 double setting_step_factor(int level);
 double setting_soft_factor(int level);
 
-/* s */
+/* s; NAN of another scene. */
 double setting_time_step(const setting_space *space, setting s);
 
 /* False where the step is above the critical one, or where the scene has no such knob. */

@@ -173,6 +173,24 @@ static void the_tolerance_is_respected(void **state) {
     free(tuned);
 }
 
+/* The scene that was found stands up to all replicates at once; what is asked for too closely does
+ * not, and what is no scene is told. After a_larger_step_is_found(). */
+static void a_scene_is_verified(void **state) {
+    (void)state;
+    static const char BASE[] = "--observable out.kg:final --seeds 12 --verify %s/found/%s "
+                               "--tolerance %s";
+    char *good = text_format(BASE, folder, "tuned.yaml", "20%");
+    expect("found", good, CLAST_EXIT_OK, NULL);
+    assert_true(said(output_path, "verified: the interval lies within 20 %"));
+    assert_true(number_behind("a factor of ") > 1.5);
+    char *close = text_format(BASE, folder, "tuned.yaml", "0.001%");
+    expect("found", close, CLAST_EXIT_RUN_FAILED, NULL);
+    assert_false(said(output_path, "verified:"));
+    char *gone = text_format(BASE, folder, "no.yaml", "20%");
+    expect("found", gone, CLAST_EXIT_FILE, "no.yaml");
+    free(good), free(close), free(gone);
+}
+
 static int begin(void **state) {
     (void)state;
     folder = test_folder("tune");
@@ -197,6 +215,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(mistakes_are_told),
         cmocka_unit_test(replicates_must_differ_and_have_the_observable),
         cmocka_unit_test(a_larger_step_is_found),
+        cmocka_unit_test(a_scene_is_verified),
         cmocka_unit_test(the_tolerance_is_respected),
     };
     return cmocka_run_group_tests(tests, begin, end);
