@@ -3,9 +3,9 @@
  * Candidates. From points spread over the surface, a sphere that touches the surface there is blown
  * up along the inward normal until it touches a second place: Ferellec and McDowell, A method to
  * model realistic particle shape and inertia in DEM, Granular Matter 12, 459-467, 2010; the ball is
- * found by shrinking (Ma, Bae, Choi, 3D medial axis point approximation using nearest neighbors and
- * the normal field, The Visual Computer 28, 2012). Their starting points are taken at random; ours
- * are an even sequence, and a sphere comes with its images under the symmetry of the target.
+ * found by shrinking (Ma, Bae, Choi, The Visual Computer 28, 7-19, 2012). Their starting points are
+ * taken at random; ours are an even sequence, and a sphere comes with its images under the symmetry
+ * of the target.
  *
  * Choice. Greedy: the orbit that lowers the sum of squared distances from the surface to the clump
  * most, per sphere. What remains after n spheres is at most 1/e above the best that n spheres of

@@ -127,6 +127,7 @@ static void print_summary(const scene *s) {
     printf("bodies: %zu, element spheres: %zu\n", clast_world_bodies(s->world).count,
            clast_world_spheres(s->world).count);
     print_shapes(s);
+    if (s->clumps[0]) printf("clumps:\n%s", s->clumps);
     print_walls(s);
     print_pairs(s);
     printf("ends: at %g s", s->ending.latest);

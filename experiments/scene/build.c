@@ -37,6 +37,7 @@ static double reach_of(int count, const clast_vec3 *centre, const double *radius
 
 sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape) {
     SCENE_ASSERT(arena && shape);
+    if (shape->made.count > 0) return shape->made;
     bool fit = tree_get(shape->item.node, "fit") != NULL;
     sphere_set set = {.count = shape->spheres.count > 0 ? shape->spheres.count
                                : fit                    ? shape->fit_spheres

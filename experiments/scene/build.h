@@ -4,14 +4,7 @@
 
 #include "experiments/scene/reader.h"
 
-/* The element spheres of a shape, however it was given. Never NULL. */
-typedef struct sphere_set {
-    int count;
-    clast_vec3 *centre;
-    double *radius;
-    double reach; /* m, of the bounding sphere about the origin of the body */
-} sphere_set;
-
+/* Never without spheres, but for an ellipse that cannot be fitted. */
 sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape);
 
 /* size.c: scale factors of the classes of a shape, smallest first; {1} without `size`. */
@@ -29,6 +22,10 @@ typedef struct shape_family {
     int *templates;      /* indices of shapes of the world */
     const double *scale; /* of each */
 } shape_family;
+
+/* fill.c: spheres, mass and inertia of shapes that are given as a solid, a profile or a mesh, or
+ * whose mass is that of the union of their spheres. */
+void scene_fill_shapes(scene_reader *r, scene_draft *draft);
 
 /* check.c: what one key cannot tell alone. */
 void scene_check(scene_reader *r, const scene_draft *draft);

@@ -50,11 +50,35 @@ typedef struct size_rule {
     int classes;
 } size_rule;
 
+/* The element spheres of a shape, however it was given. */
+typedef struct sphere_set {
+    int count;
+    clast_vec3 *centre;
+    double *radius;
+    double reach; /* m, of the bounding sphere about the origin of the body */
+} sphere_set;
+
+typedef enum mass_choice { MASS_AUTO, MASS_SOLID, MASS_UNION } mass_choice;
+
+/* How many spheres stand for a solid; 0: not asked for. */
+typedef struct fill_rule {
+    double density, deviation, smallest;
+    double levels[8];
+    int spheres, level;
+} fill_rule;
+
 typedef struct shape_item {
     item item;
     int material;
-    double radius;     /* of a sphere */
-    item_list spheres; /* element_item */
+    double solid[3]; /* m, measures of whichever solid the file gives */
+    const char *profile, *mesh;
+    double file_unit; /* m */
+    fill_rule fill;
+    mass_choice mass_from;
+    sphere_set made;     /* by scene_fill_shapes(); count 0: the spheres are those of the file */
+    const char *made_of; /* for `clast check`: masses of union and solid, what was reached */
+    double radius;       /* of a sphere */
+    item_list spheres;   /* element_item */
     double ellipse[2];
     int fit_spheres;
     double mass;

@@ -99,6 +99,16 @@ static void keep_materials(scene *s, const scene_draft *draft) {
         s->pairs[i] = (scene_pair){pairs[i].between[0], pairs[i].between[1], pairs[i].def};
 }
 
+static char *clumps_of(const scene_draft *draft) {
+    scene_buffer out = {0};
+    scene_append(&out, "%s", "");
+    const shape_item *shapes = draft->shapes.items;
+    for (int i = 0; i < draft->shapes.count; i++)
+        if (shapes[i].made_of)
+            scene_append(&out, "  %s: %s\n", shapes[i].item.name, shapes[i].made_of);
+    return out.text;
+}
+
 static scene *make_scene(const scene_draft *draft, clast_world *world, const char *path,
                          const char *text) {
     scene *s = allocate(1, sizeof *s);
@@ -120,6 +130,7 @@ static scene *make_scene(const scene_draft *draft, clast_world *world, const cha
     const measure_item *items = draft->measures.items;
     for (int i = 0; i < s->measure_count; i++) s->measures[i] = measure_of(&items[i]);
     keep_materials(s, draft);
+    s->clumps = clumps_of(draft);
     bool own = draft->def.law == CLAST_LAW_USER;
     s->library = duplicate(own ? draft->library : NULL);
     s->function = duplicate(own ? draft->function : NULL);
@@ -139,7 +150,10 @@ static const tree_node *load_tree(scene_arena *arena, scene_faults *faults,
 static void refit(scene_draft *draft, int spheres) {
     shape_item *shapes = draft->shapes.items;
     for (int i = 0; i < draft->shapes.count; i++)
-        if (shapes[i].fit_spheres > 0) shapes[i].fit_spheres = spheres;
+        if (shapes[i].fit_spheres > 0)
+            shapes[i].fit_spheres = spheres;
+        else if (shapes[i].fill.spheres > 0)
+            shapes[i].fill.spheres = spheres;
 }
 
 static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
@@ -159,6 +173,7 @@ static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
     if (options->isa != CLAST_ISA_AUTO) draft.def.isa = options->isa;
     if (options->mixed) draft.def.precision = CLAST_PRECISION_MIXED;
     if (options->fit_spheres > 0) refit(&draft, options->fit_spheres);
+    scene_fill_shapes(&reader, &draft);
     scene_check(&reader, &draft);
     if (faults->errors) return NULL;
     scene_parameters_warn_unused(&parameters);
@@ -185,6 +200,7 @@ void scene_free(scene *s) {
     for (int i = 0; i < s->material_count; i++) free((char *)(uintptr_t)s->materials[i].name);
     free(s->materials);
     free(s->pairs);
+    free(s->clumps);
     free(s->library);
     free(s->function);
     free(s->view.preset);

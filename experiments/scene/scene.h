@@ -86,6 +86,7 @@ typedef struct scene {
     int material_count;
     scene_pair *pairs;
     int pair_count;
+    char *clumps; /* how shapes were filled, a line each, "" for none */
     char *library, *function; /* of a contact law of the user's own; NULL without one */
 } scene;
 

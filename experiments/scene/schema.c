@@ -35,6 +35,7 @@ static const char *const SCHEMES[] = {
 static const char *const SOLVERS[] = {"conjugate-gradient", "gauss-seidel", NULL};
 static const char *const PRECISIONS[] = {"double", "mixed", NULL};
 static const char *const ORIENTATIONS[] = {"fixed", "random", "random-in-plane", NULL};
+static const char *const MASSES[] = {"auto", "solid", "union", NULL};
 static const char *const PRESETS[] = {"draft", "final", NULL};
 static const char *const COLOURS[] = {"speed", "speed-bands", "initial-height", "body", NULL};
 static const char *const MAPS[] = {"viridis", "cividis", NULL};
@@ -55,6 +56,7 @@ _Static_assert(CLAST_ISA_AUTO == 0 && CLAST_ISA_BASELINE == 1 && CLAST_ISA_AVX2 
                CLAST_ISA_AVX512 == 3, "");
 /* a test has the names */
 _Static_assert(sizeof SCHEMES / sizeof *SCHEMES == CLAST_SCHEMES + 1, "");
+_Static_assert(MASS_AUTO == 0 && MASS_SOLID == 1 && MASS_UNION == 2, "");
 _Static_assert(CLAST_SOLVER_CONJUGATE_GRADIENT == 0 && CLAST_SOLVER_GAUSS_SEIDEL == 1, "");
 _Static_assert(CLAST_PRECISION_DOUBLE == 0 && CLAST_PRECISION_MIXED == 1, "");
 _Static_assert(COLOUR_SPEED == 0 && COLOUR_SPEED_BANDS == 1 && COLOUR_INITIAL_HEIGHT == 2 &&
@@ -178,6 +180,93 @@ TABLE(SIZE, "shapes.NAME.size", size_rule, SIZE_KEYS);
 
 #undef TARGET
 #define TARGET shape_item
+#define MEASURE(name, place, text)                                                                 \
+    {name, KEY_NUMBER, UNIT_LENGTH, FIELD(solid[place]), ABOVE(0), .required = true,               \
+     .meaning = (text)}
+#define SOLID(name) TABLE(name##_SOLID, "shapes.NAME.solid." #name, shape_item, name##_KEYS_OF)
+
+/* Measures stand in the order of shapes/solid.c; a test compares the names. */
+static const scene_key sphere_KEYS_OF[] = {MEASURE("radius", 0, "of the sphere")};
+static const scene_key ellipsoid_KEYS_OF[] = {MEASURE("a", 0, "half axis along x"),
+                                              MEASURE("b", 1, "half axis along y"),
+                                              MEASURE("c", 2, "half axis along z")};
+static const scene_key cylinder_KEYS_OF[] = {MEASURE("radius", 0, "across x"),
+                                             MEASURE("length", 1, "along x")};
+static const scene_key cube_KEYS_OF[] = {MEASURE("edge", 0, "along x, y and z")};
+static const scene_key block_KEYS_OF[] = {MEASURE("length", 0, "along x"),
+                                          MEASURE("height", 1, "along y"),
+                                          MEASURE("width", 2, "along z")};
+static const scene_key parallelepiped_KEYS_OF[] = {MEASURE("length", 0, "along x"),
+                                                   MEASURE("side", 1, "along y and z")};
+static const scene_key tetrahedron_KEYS_OF[] = {MEASURE("edge", 0, "of all six")};
+static const scene_key cone_KEYS_OF[] = {MEASURE("radius", 0, "of the base"),
+                                         MEASURE("length", 1, "from the base to the tip, along x")};
+static const scene_key double_cone_KEYS_OF[] = {MEASURE("radius", 0, "in the middle"),
+                                                MEASURE("length", 1, "from tip to tip, along x")};
+static const scene_key hyperboloid_KEYS_OF[] = {MEASURE("end_radius", 0, "not below the next"),
+                                                MEASURE("waist_radius", 1, "in the middle"),
+                                                MEASURE("length", 2, "along x")};
+static const scene_key barrel_KEYS_OF[] = {MEASURE("end_radius", 0, "not above the next"),
+                                           MEASURE("middle_radius", 1, "in the middle"),
+                                           MEASURE("length", 2, "along x")};
+static const scene_key disc_KEYS_OF[] = {
+    MEASURE("outer_radius", 0, "across x"),
+    {"inner_radius", KEY_NUMBER, UNIT_LENGTH, FIELD(solid[1]), FROM(0), .required = true,
+     .meaning = "of the hole; 0: none"},
+    MEASURE("thickness", 2, "along x")};
+static const scene_key torus_KEYS_OF[] = {MEASURE("tube_radius", 0, "not above the next"),
+                                          MEASURE("ring_radius", 1, "about z")};
+SOLID(sphere);
+SOLID(ellipsoid);
+SOLID(cylinder);
+SOLID(cube);
+SOLID(block);
+SOLID(parallelepiped);
+SOLID(tetrahedron);
+SOLID(cone);
+TABLE(double_cone_SOLID, "shapes.NAME.solid.double-cone", shape_item, double_cone_KEYS_OF);
+SOLID(hyperboloid);
+SOLID(barrel);
+SOLID(disc);
+SOLID(torus);
+
+#define ONE_SOLID(word, table)                                                                     \
+    {word, KEY_SECTION, .section = &table##_SOLID, .one_of = true,                                 \
+     .meaning = "S12 2.9; centre of mass and axes of the body are those of the solid"}
+static const scene_key THIRTEEN_KEYS[] = {
+    ONE_SOLID("sphere", sphere),
+    ONE_SOLID("ellipsoid", ellipsoid),
+    ONE_SOLID("cylinder", cylinder),
+    ONE_SOLID("cube", cube),
+    ONE_SOLID("block", block),
+    ONE_SOLID("parallelepiped", parallelepiped),
+    ONE_SOLID("tetrahedron", tetrahedron),
+    ONE_SOLID("cone", cone),
+    ONE_SOLID("double-cone", double_cone),
+    ONE_SOLID("hyperboloid", hyperboloid),
+    ONE_SOLID("barrel", barrel),
+    ONE_SOLID("disc", disc),
+    ONE_SOLID("torus", torus),
+};
+TABLE(THIRTEEN, "shapes.NAME.solid", shape_item, THIRTEEN_KEYS);
+
+static const scene_key FILL_KEYS[] = {
+    {"density", KEY_NUMBER, UNIT_NUMBER, FIELD(fill.density), RANGE(1, 100),
+     .meaning = "sub-shape packing density: as near as a row of equal spheres with so many centres "
+                "to a diameter is to its cylinder; 2 when nothing is asked for"},
+    {"spheres", KEY_COUNT, FIELD(fill.spheres), RANGE(1, 1000),
+     .meaning = "so many; fewer where rings and mirror images do not come out even"},
+    {"levels", KEY_VALUES, FIELD(fill.levels), .length = 8,
+     .meaning = "numbers of spheres of the levels of detail, in place of spheres"},
+    {"level", KEY_COUNT, FIELD(fill.level), RANGE(1, 8), .fallback = "1",
+     .meaning = "which of them, from 1"},
+    {"deviation", KEY_NUMBER, UNIT_LENGTH, FIELD(fill.deviation), ABOVE(0),
+     .meaning = "no place of the surface is farther from the spheres"},
+    {"smallest", KEY_NUMBER, UNIT_LENGTH, FIELD(fill.smallest), ABOVE(0),
+     .meaning = "no sphere has a smaller radius"},
+};
+TABLE(FILL, "shapes.NAME.fill", shape_item, FILL_KEYS);
+
 static const scene_key SHAPE_KEYS[] = {
     {"material", KEY_NAME, FIELD(material), .refers = "materials", .required = true,
      .meaning = "what it is made of"},
@@ -187,8 +276,22 @@ static const scene_key SHAPE_KEYS[] = {
      .meaning = "a rigid clump of spheres"},
     {"fit", KEY_SECTION, .section = &FIT, .one_of = true,
      .meaning = "spheres fitted to an elliptic profile (A00 2.2.2)"},
+    {"solid", KEY_SECTION, .section = &THIRTEEN, .one_of = true,
+     .meaning = "one of thirteen solids, filled with spheres"},
+    {"profile", KEY_FILE, FIELD(profile), .one_of = true,
+     .meaning = "table x,radius: the outline of a body of revolution, with spheres on its axis "
+                "(A00 2.2.2)"},
+    {"mesh", KEY_FILE, FIELD(mesh), .one_of = true,
+     .meaning = "closed surface (STL, OBJ, PLY, ...), filled with spheres"},
+    {"unit", KEY_NUMBER, UNIT_LENGTH, FIELD(file_unit), ABOVE(0), .fallback = "1 m",
+     .meaning = "of the lengths in profile or mesh"},
+    {"fill", KEY_SECTION, .section = &FILL,
+     .meaning = "how many spheres for solid, profile or mesh: until the first of these is met"},
+    {"mass_from", KEY_CHOICE, FIELD(mass_from), .choices = MASSES, .fallback = "auto",
+     .meaning = "whose mass, centre and axes: of the solid, or of the union of the spheres; auto: "
+                "of the solid where there is one"},
     {"mass", KEY_NUMBER, UNIT_MASS, FIELD(mass), ABOVE(0), .word = "auto", .fallback = "auto",
-     .meaning = "auto: from the density; overlapping spheres need a number"},
+     .meaning = "auto: from the density; overlapping spheres need a number, or mass_from"},
     {"inertia", KEY_VECTOR, UNIT_INERTIA, FIELD(inertia), ABOVE(0), .word = "auto",
      .fallback = "auto",
      .meaning = "principal moments about x, y, z of the body; auto as for mass"},
