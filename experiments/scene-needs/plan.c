@@ -52,7 +52,7 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
     {.name = "heap",
      .legs = 1,
      .leg = {{"scene-needs/heap.yaml", "",
-              "count=8;half_box=30 mm;young=10 MPa;step=40 us;"
+              "count=12;half_box=30 mm;young=10 MPa;step=40 us;"
               "fill=20 cm;settle=0.4 s;pile=1 s",
               ""}},
      .observables = 1,
