@@ -1,0 +1,71 @@
+#include "experiments/study/pictures.h"
+
+#include <spawn.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "experiments/run/results.h"
+
+extern char **environ;
+
+enum { PATH_ROOM = 1000 };
+
+/* Runs the command with these arguments (NULL at the end); its exit code. */
+static int command(const char *const *arguments) {
+    pid_t child;
+    if (posix_spawn(&child, arguments[0], NULL, NULL, (char *const *)arguments, environ)) {
+        fprintf(stderr, "%s cannot be started\n", arguments[0]);
+        return 4;
+    }
+    int status;
+    if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return 4;
+    return WEXITSTATUS(status);
+}
+
+static size_t frame_at(const char *run, double time) {
+    char why[RESULTS_ERROR_MAX];
+    results *r = results_open(run, why);
+    size_t nearest = r && results_frames(r) ? results_frame_at(r, time) : 0;
+    results_free(r);
+    return nearest;
+}
+
+int picture_still(const char *clast, const char *run, double time, const char *folder,
+                  const char *name, const char *colour) {
+    char out[PATH_ROOM], frames[48], from[PATH_ROOM + 32], to[PATH_ROOM + 32];
+    size_t nearest = frame_at(run, time);
+    snprintf(out, sizeof out, "%s/%s", folder, name);
+    snprintf(frames, sizeof frames, "%zu:%zu", nearest, nearest);
+    int bad = command((const char *const[]){clast, "render", run, "--out", out, "--frames", frames,
+                                            "--colour", colour, NULL});
+    if (bad) return bad;
+    snprintf(from, sizeof from, "%s/frame-000000.png", out);
+    snprintf(to, sizeof to, "%s.png", out);
+    return rename(from, to) == 0 && rmdir(out) == 0 ? 0 : 4;
+}
+
+/* ffmpeg is optional: without it there are frames and no film. */
+static bool has_ffmpeg(void) {
+    const char *path = getenv("PATH");
+    char copy[4096], file[4200], *rest = NULL;
+    snprintf(copy, sizeof copy, "%s", path ? path : "");
+    for (char *folder = strtok_r(copy, ":", &rest); folder; folder = strtok_r(NULL, ":", &rest)) {
+        snprintf(file, sizeof file, "%s/ffmpeg", folder);
+        if (access(file, X_OK) == 0) return true;
+    }
+    fputs("no ffmpeg: no animation\n", stderr);
+    return false;
+}
+
+int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
+                  const char *colour) {
+    char out[PATH_ROOM], movie[PATH_ROOM + 8];
+    snprintf(out, sizeof out, "%s/%s", folder, name);
+    snprintf(movie, sizeof movie, "%s.mp4", out);
+    return command((const char *const[]){clast, "render", run, "--out", out, "--colour", colour,
+                                         has_ffmpeg() ? "--animation" : NULL, movie, NULL});
+}

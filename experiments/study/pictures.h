@@ -1,0 +1,18 @@
+/* pictures.h - frames and films of runs, by the `clast render` command that users have.
+ *
+ *     picture_still(CLAST_COMMAND, run, 1.5, "build/frames", "half-way", "speed");
+ *     picture_movie(CLAST_COMMAND, run, "build/frames", "flow", "speed");
+ *
+ * Each returns 0, or the exit code of the command, or 4 when a file cannot be written. */
+#ifndef CLAST_STUDY_PICTURES_H
+#define CLAST_STUDY_PICTURES_H
+
+/* The frame of a run that is nearest to a time, as <folder>/<name>.png. */
+int picture_still(const char *clast, const char *run, double time, const char *folder,
+                  const char *name, const char *colour);
+
+/* All frames as <folder>/<name>/frame-*.png, and <folder>/<name>.mp4 where there is ffmpeg. */
+int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
+                  const char *colour);
+
+#endif
