@@ -28,8 +28,9 @@
 
 #define SPEED_TAKEN 0.10 /* a particle has the speed of a belt within this part of it */
 #define SINGLED_AT  1.3  /* m, x at which a spheroid is looked at: README.md, "Assumptions" */
-#define ARCH_HALF   0.5 /* a bin is arched when spheres rest above this middle part of its orifice \
-                         */
+#define ARCH_HALF                                                                                  \
+    0.5 /* a bin is arched when spheres rest above this middle part of its orifice                 \
+         */
 #define EVERY_STEPS   50   /* 3.9.2 */
 #define COLLISION_GAP 1e-3 /* s without contact between two collisions */
 #define QUIET_FOR     0.2  /* s without a discharge at the end of a run: its flow has stopped */

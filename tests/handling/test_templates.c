@@ -3,7 +3,6 @@
  * the disc. */
 #include "tests/support/check.h"
 
-#include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,35 +22,38 @@ static scene *load(const char *name) {
 
 /* ---- bodies of revolution -------------------------------------------------------------------- */
 
-typedef struct profile {
-    const clast_shape_def *shape;
-    int moment; /* 0 volume, 1 first, 2 axial, 3 across, about the origin */
-} profile;
+enum { SLICES = 200000 }; /* the midpoint rule misses a kink of the profile by 1e-10 */
 
-static double disc_at(double x, void *context) {
-    const profile *p = context;
+/* Of the union, about the origin: volume, first moment, moments of inertia of unit density. */
+typedef struct moments {
+    double volume, first, axial, across;
+} moments;
+
+static double square_at(const clast_shape_def *shape, double x) {
     double square = 0;
-    for (int i = 0; i < p->shape->spheres; i++) {
-        double u = x - p->shape->centre[i].x, r = p->shape->radius[i];
+    for (int i = 0; i < shape->spheres; i++) {
+        double u = x - shape->centre[i].x, r = shape->radius[i];
         square = fmax(square, r * r - u * u);
     }
-    const double all[4] = {square, square * x, 0.5 * square * square,
-                           0.25 * square * square + square * x * x};
-    return 3.14159265358979323846 * all[p->moment];
+    return square;
 }
 
-static double integral(const clast_shape_def *shape, int moment) {
-    double from = INFINITY, to = -INFINITY, result, error;
+static moments moments_of(const clast_shape_def *shape) {
+    double from = INFINITY, to = -INFINITY;
     for (int i = 0; i < shape->spheres; i++) {
         from = fmin(from, shape->centre[i].x - shape->radius[i]);
         to = fmax(to, shape->centre[i].x + shape->radius[i]);
     }
-    profile p = {shape, moment};
-    gsl_function f = {disc_at, &p};
-    gsl_integration_workspace *space = gsl_integration_workspace_alloc(2000);
-    gsl_integration_qag(&f, from, to, 0, 1e-8, 2000, GSL_INTEG_GAUSS21, space, &result, &error);
-    gsl_integration_workspace_free(space);
-    return result;
+    double slice = (to - from) / SLICES, area = 3.14159265358979323846 * slice;
+    moments m = {0};
+    for (int i = 0; i < SLICES; i++) {
+        double x = from + (i + 0.5) * slice, square = square_at(shape, x);
+        m.volume += area * square;
+        m.first += area * square * x;
+        m.axial += area * 0.5 * square * square;
+        m.across += area * (0.25 * square * square + square * x * x);
+    }
+    return m;
 }
 
 /* The scenes print five digits or more. */
@@ -62,11 +64,11 @@ static void near(double ours, double wanted) {
 static void check_union(const char *name, double offset_mm) {
     scene *s = load(name);
     clast_shape_def d = clast_world_shape(s->world, 0);
-    double density = s->materials[d.material].density, volume = integral(&d, 0);
-    double centroid = integral(&d, 1) / volume;
-    near(d.mass, density * volume);
-    near(d.inertia.x, density * integral(&d, 2));
-    near(d.inertia.y, density * (integral(&d, 3) - volume * centroid * centroid));
+    moments m = moments_of(&d);
+    double density = s->materials[d.material].density, centroid = m.first / m.volume;
+    near(d.mass, density * m.volume);
+    near(d.inertia.x, density * m.axial);
+    near(d.inertia.y, density * (m.across - m.volume * centroid * centroid));
     assert_true(d.inertia.z == d.inertia.y);
     if (fabs(1e3 * centroid + offset_mm) > 0.01) fail_msg("%s: %g mm", name, 1e3 * centroid);
     scene_free(s);
@@ -105,11 +107,11 @@ static void pairs_have_the_volume_of_one_sphere(void **state) {
         const clast_vec3 centre[2] = {{-p.half, 0, 0}, {p.half, 0, 0}};
         const double radius[2] = {p.radius, p.radius};
         clast_shape_def d = {.spheres = 2, .centre = centre, .radius = radius};
-        double volume = integral(&d, 0);
-        assert_true(fabs(volume / (4 * 3.14159265358979323846 / 3) - 1) < 1e-7);
+        moments m = moments_of(&d);
+        assert_true(fabs(m.volume / (4 * 3.14159265358979323846 / 3) - 1) < 1e-7);
         assert_true(fabs((p.half + p.radius) / p.radius - ASPECT[i]) < 1e-12);
-        assert_true(fabs(integral(&d, 2) / volume / p.axial - 1) < 1e-7);
-        assert_true(fabs(integral(&d, 3) / volume / p.across - 1) < 1e-7);
+        assert_true(fabs(m.axial / m.volume / p.axial - 1) < 1e-7);
+        assert_true(fabs(m.across / m.volume / p.across - 1) < 1e-7);
     }
     pair_shape sphere = pair_of(1);
     assert_true(fabs(sphere.radius - 1) < 1e-15 && fabs(sphere.axial - 0.4) < 1e-15);
@@ -130,9 +132,9 @@ static void the_scene_has_one_of_them(void **state) {
 
 static void restitution_stands_for_the_damping_ratio(void **state) {
     (void)state;
-    static const char *const NAMES[] = {"tapered.yaml", "irregular-settle.yaml",
+    static const char *const NAMES[] = {"tapered.yaml",      "irregular-settle.yaml",
                                         "bunch-settle.yaml", "singulation-fill.yaml",
-                                        "disc.yaml", "bin-fill.yaml"};
+                                        "disc.yaml",         "bin-fill.yaml"};
     for (size_t i = 0; i < sizeof NAMES / sizeof *NAMES; i++) {
         scene *s = load(NAMES[i]);
         assert_int_equal(clast_world_definition(s->world)->law, CLAST_LAW_HERTZ_A00);
