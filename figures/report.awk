@@ -206,6 +206,36 @@ function sensitivity_rows(    line, f, n, i, at, last, shown, orifice) {
     print "</tbody></table>"
 }
 
+# FILE | COLUMN=VALUE | heading; heading; ... | words when there are none: rows of data/FILE.csv of which that column has
+# that value, without the column.
+function table(rest,    part, head, line, f, i, n, at, key, value, rows, last) {
+    split(rest, part, / \| /)
+    key = value = part[2]
+    sub(/=.*/, "", key); sub(/^[^=]*=/, "", value)
+    while ((getline line < (out "/" study "/data/" part[1] ".csv")) > 0) {
+        n = split_csv(line, f)
+        if (!at) { for (i = 1; i <= n; i++) if (f[i] == key) at = i; continue }
+        if (f[at] != value) continue
+        if (!rows++) {
+            printf "<table><thead><tr>"
+            split(part[3], head, /; /)
+            for (i = 1; i in head; i++) printf "<th>%s</th>", escape(head[i])
+            print "</tr></thead><tbody>"
+        }
+        printf "<tr%s>", f[at + 1] == last ? "" : " class=\"first\""
+        for (i = 1; i <= n; i++) {
+            if (i == at) continue
+            sub(/ us$/, " µs", f[i])
+            printf "<td>%s</td>", i == at + 1 && f[i] == last ? "" : escape(dash(f[i]))
+        }
+        print "</tr>"
+        last = f[at + 1]
+    }
+    close(out "/" study "/data/" part[1] ".csv")
+    if (rows) print "</tbody></table>"
+    else printf "<p class=\"missing\">%s</p>\n", fill(part[4])
+}
+
 function facts(    keys, n, i, key, file, links) {
     n = split("size replicates particles spheres_per_particle step worst_residual wall_s engine hash", keys, " ")
     print "<table class=\"facts\"><tbody>"
@@ -215,7 +245,7 @@ function facts(    keys, n, i, key, file, links) {
         gsub(/_/, " ", key); sub(/wall s/, "wall time (s)", key); sub(/worst residual/, "largest energy residual", key)
         printf "<tr><th>%s</th><td>%s</td></tr>\n", key, escape(about[keys[i]])
     }
-    n = split("verdicts summary rates cumulative beverloo velocity_samples velocity_fit surface sensitivity profile curves scan restitution schemes errors statements onset positions steps approach theory limits quiet orders slopes", keys, " ")
+    n = split("verdicts summary rates cumulative beverloo velocity_samples velocity_fit surface sensitivity profile curves scan restitution schemes errors statements onset positions steps approach theory limits quiet orders slopes points picks button_runs discharge", keys, " ")
     for (i = 1; i <= n; i++) {
         file = study "/data/" keys[i] ".csv"
         if (exists(out "/" file)) links = links " <a href=\"" file "\">" keys[i] ".csv</a>"
@@ -242,6 +272,7 @@ word == "section"     { printf "<h2>%s</h2>\n", escape(rest); next }
 word == "headline"    { headline(rest); next }
 word == "verdicts"    { verdict_rows(); next }
 word == "sensitivity" { sensitivity_rows(); next }
+word == "table"       { table(rest); next }
 word == "facts"       { facts(); next }
 word == "figure"      { figure(rest); next }
 word == "picture"     { picture(rest, 0); next }

@@ -44,8 +44,15 @@ typedef struct trial_point {
 /* points: room for steps + 1. */
 void trial_run(const trial *t, trial_point *points);
 
-double ball_mass(void);            /* kg */
-double ball_modulus(double young); /* Pa, E* of two bodies of that material */
+/* Balls side by side that do not meet: the touches come in `count` places of a step, equally far
+ * from each other; t->late is not read. points: those of the first ball, then those of the next,
+ * steps + 1 of each; without forces. trial_row_new(): before the first step, for
+ * clast_world_free(). */
+void trial_row_run(const trial *t, int count, trial_point *points);
+clast_world *trial_row_new(const trial *t, int count);
+
+double trial_mass(void);            /* kg */
+double trial_modulus(double young); /* Pa, E* of two bodies of that material */
 
 /* Hash of the last states of all trials so far, in their order. */
 uint64_t trials_hash(void);
@@ -68,6 +75,11 @@ enum { IMPACT_RESOLUTION = 1000 }; /* steps per contact */
 /* Fills theory and measured of a case whose law, speed and materials are set; writes the curve
  * beside it into `curve` (series, label) when it is not NULL. */
 void impact_case_run(impact_case *c, FILE *curve, const char *series);
+
+/* What theory says of a trial, whatever its step and scheme; and how long the contact would last
+ * without damping, s. */
+impact trial_theory(const trial *t);
+double trial_contact_time(const trial *t);
 
 /* ---- schemes --------------------------------------------------------------------------------- */
 

@@ -12,8 +12,8 @@ static const double PI = 3.14159265358979323846;
 /* ---- theory ---------------------------------------------------------------------------------- */
 
 static double linear_stiffness(const trial *t) {
-    double modulus = ball_modulus(t->young);
-    if (t->law == CLAST_LAW_MAW) return maw_stiffness(modulus, BALL_RADIUS, ball_mass(), t->speed);
+    double modulus = trial_modulus(t->young);
+    if (t->law == CLAST_LAW_MAW) return maw_stiffness(modulus, BALL_RADIUS, trial_mass(), t->speed);
     if (t->law == CLAST_LAW_HOOKE) return hooke_stiffness(modulus, BALL_RADIUS);
     return t->stiffness;
 }
@@ -21,23 +21,23 @@ static double linear_stiffness(const trial *t) {
 /* The dashpot with which the asked-for restitution is the measured one: what the engine solves for.
  */
 static linear_contact linear_of(const trial *t) {
-    double k = linear_stiffness(t), m = ball_mass();
+    double k = linear_stiffness(t), m = trial_mass();
     double z = linear_damping_ratio(t->restitution, true);
     return (linear_contact){m, k, 2 * z * sqrt(k * m), true};
 }
 
 static hysteretic_contact hysteretic_of(const trial *t) {
     double e = t->restitution;
-    return (hysteretic_contact){ball_mass(), t->stiffness, t->stiffness / (e * e)};
+    return (hysteretic_contact){trial_mass(), t->stiffness, t->stiffness / (e * e)};
 }
 
 static double hertz_time(const trial *t) {
-    double k = hertz_stiffness(ball_modulus(t->young), BALL_RADIUS);
-    return hertz_impact(ball_mass(), k, t->speed).duration;
+    double k = hertz_stiffness(trial_modulus(t->young), BALL_RADIUS);
+    return hertz_impact(trial_mass(), k, t->speed).duration;
 }
 
 static hertz_contact hertz_of(const trial *t) {
-    double k = hertz_stiffness(ball_modulus(t->young), BALL_RADIUS), m = ball_mass();
+    double k = hertz_stiffness(trial_modulus(t->young), BALL_RADIUS), m = trial_mass();
     hertz_contact c = {k, sqrt(k * m)};
     if (t->restitution == 1)
         c.dashpot = 0;
@@ -56,7 +56,7 @@ typedef struct solution {
 
 static void trace_law(solution *s, const trial *t, impact_law *law, const void *constants) {
     impact_trace trace = {s->points, POINTS, 0, t->step};
-    s->all = impact_integrate(law, constants, ball_mass(), t->speed, hertz_time(t), &trace);
+    s->all = impact_integrate(law, constants, trial_mass(), t->speed, hertz_time(t), &trace);
     s->count = trace.count - 1; /* the last is the end itself */
 }
 
@@ -77,28 +77,38 @@ static void fill_closed(solution *s, const trial *t) {
 static void solve(solution *s, const trial *t) {
     s->closed = false;
     if (t->law == CLAST_LAW_HERTZ_BRILLIANTOV) {
-        viscous_contact c = {hertz_stiffness(ball_modulus(t->young), BALL_RADIUS), t->dissipation};
+        viscous_contact c = {hertz_stiffness(trial_modulus(t->young), BALL_RADIUS), t->dissipation};
         trace_law(s, t, viscous_force, &c);
     } else if (t->law == CLAST_LAW_HERTZ_A00 || t->law == CLAST_LAW_HERTZ_MINDLIN) {
         hertz_contact c = hertz_of(t);
         trace_law(s, t, hertz_force, &c);
         s->closed = c.dashpot == 0;
-        if (s->closed) s->all = hertz_impact(ball_mass(), c.stiffness, t->speed);
+        if (s->closed) s->all = hertz_impact(trial_mass(), c.stiffness, t->speed);
     } else {
         fill_closed(s, t);
     }
 }
 
-/* s, about how long the contact lasts. */
-static double expected_duration(const trial *t) {
+double trial_contact_time(const trial *t) {
     switch (t->law) {
     case CLAST_LAW_HERTZ_A00:
     case CLAST_LAW_HERTZ_MINDLIN:
     case CLAST_LAW_HERTZ_BRILLIANTOV:
         return hertz_time(t);
     default:
-        return PI * sqrt(ball_mass() / linear_stiffness(t));
+        return PI * sqrt(trial_mass() / linear_stiffness(t));
     }
+}
+
+impact trial_theory(const trial *t) {
+    trial fine = *t;
+    fine.step = trial_contact_time(t) / IMPACT_RESOLUTION;
+    solution *s = malloc(sizeof *s);
+    if (!s) abort();
+    solve(s, &fine);
+    impact all = s->all;
+    free(s);
+    return all;
 }
 
 /* ---- the engine ------------------------------------------------------------------------------ */
@@ -133,7 +143,7 @@ static void compare(impact_case *c, const solution *s, const trial_point *points
 static double force_at(const solution *s, int i) {
     int before = i > 0 ? i - 1 : 0, after = i + 1 < s->count ? i + 1 : i;
     const impact_point *a = &s->points[before], *b = &s->points[after];
-    return -ball_mass() * (b->rate - a->rate) / (b->time - a->time);
+    return -trial_mass() * (b->rate - a->rate) / (b->time - a->time);
 }
 
 /* SI units; the figures normalise. A line of theory, marks of the engine. */
@@ -156,7 +166,7 @@ static void write_curves(const impact_case *c, const solution *s, const trial_po
 
 void impact_case_run(impact_case *c, FILE *curve, const char *series) {
     trial *t = &c->trial;
-    t->step = expected_duration(t) / IMPACT_RESOLUTION;
+    t->step = trial_contact_time(t) / IMPACT_RESOLUTION;
     t->lead = 2;
     t->steps = POINTS - 1;
     solution *s = malloc(sizeof *s);

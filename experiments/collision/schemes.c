@@ -32,7 +32,7 @@ typedef struct problem {
 } problem;
 
 static problem problem_of(double resolution, double restitution, const scheme_setup *setup) {
-    double m = ball_mass(), k = LINEAR_STIFF;
+    double m = trial_mass(), k = LINEAR_STIFF;
     double z = linear_damping_ratio(restitution, setup->solved_dashpot);
     problem p = {
         .contact = {m, k, 2 * z * sqrt(k * m), true}, .damping = z, .frequency = sqrt(k / m)};

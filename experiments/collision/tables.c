@@ -80,7 +80,7 @@ static int write_restitution(const collision_study *s) {
     FILE *f = output_table(s->data, "restitution.csv", "law,speed_m_s,theory,engine");
     if (!f) return 4;
     double dissipation =
-        clast_dissipation(0.7, IMPACT_SPEED, ball_mass(), BALL_RADIUS, ball_modulus(BALL_YOUNG));
+        clast_dissipation(0.7, IMPACT_SPEED, trial_mass(), BALL_RADIUS, trial_modulus(BALL_YOUNG));
     for (int l = 0; l < 4; l++)
         for (int i = 0; i < 9; i++) {
             impact_case c = {.trial = {.law = LAW[l],
@@ -108,7 +108,7 @@ static void write_scheme(FILE *f, const scheme_run *r) {
 
 /* A smooth line: the exact solution of one run. */
 static void write_exact(FILE *f, double resolution, double restitution) {
-    double z = linear_damping_ratio(restitution, false), k = LINEAR_STIFF, m = ball_mass();
+    double z = linear_damping_ratio(restitution, false), k = LINEAR_STIFF, m = trial_mass();
     linear_contact c = {m, k, 2 * z * sqrt(k * m), true};
     double duration = 3.14159265358979323846 * sqrt(m / k / (1 - z * z));
     double unit = IMPACT_SPEED * sqrt(m / k);

@@ -25,8 +25,8 @@ static impact_case case_of(clast_law law, double restitution, double young, doub
                                .speed = speed,
                                .stiffness = LINEAR_STIFF}};
     if (law == CLAST_LAW_HERTZ_BRILLIANTOV)
-        c.trial.dissipation = clast_dissipation(restitution, IMPACT_SPEED, ball_mass(), BALL_RADIUS,
-                                                ball_modulus(young));
+        c.trial.dissipation = clast_dissipation(restitution, IMPACT_SPEED, trial_mass(),
+                                                BALL_RADIUS, trial_modulus(young));
     impact_case_run(&c, NULL, NULL);
     return c;
 }
@@ -76,8 +76,8 @@ static void judge_power_laws(const court *c) {
 static void judge_models(const court *c) {
     impact hertz = case_of(CLAST_LAW_HERTZ_MINDLIN, 1, BALL_YOUNG, IMPACT_SPEED).measured;
     impact hooke = case_of(CLAST_LAW_HOOKE, 1, BALL_YOUNG, IMPACT_SPEED).measured;
-    double k = hertz_stiffness(ball_modulus(BALL_YOUNG), BALL_RADIUS);
-    double unit = pow(ball_mass() / k, 0.4) * pow(IMPACT_SPEED, 0.8);
+    double k = hertz_stiffness(trial_modulus(BALL_YOUNG), BALL_RADIUS);
+    double unit = pow(trial_mass() / k, 0.4) * pow(IMPACT_SPEED, 0.8);
     say(c, "Hertz: constant of the largest overlap", hertz.overlap_max / unit);
     say(c, "Hertz: constant of the duration", hertz.duration * IMPACT_SPEED / unit);
     say(c, "Hooke over Hertz: largest overlap", hooke.overlap_max / hertz.overlap_max);

@@ -60,8 +60,13 @@ clast_world *ball_new(const ball_def *def) {
         .name = "upper", .material = glass, .point = {0, 0, def->gap}, .normal = {0, 0, -1}};
     clast_wall_add(w, part, &lower);
     if (!def->single) clast_wall_add(w, part, &upper);
-    clast_body_def body = {.shape = ball, .position = {0, 0, def->x}, .velocity = {0, 0, def->v}};
-    if (clast_body_add(w, &body) < 0 || clast_world_prepare(w)) stop(clast_world_error(w));
+    for (int i = 0; i == 0 || i < def->row; i++) {
+        clast_body_def body = {.shape = ball,
+                               .position = {4 * i * BALL_RADIUS, 0, def->x},
+                               .velocity = {0, 0, def->v}};
+        if (clast_body_add(w, &body) < 0) stop(clast_world_error(w));
+    }
+    if (clast_world_prepare(w)) stop(clast_world_error(w));
     return w;
 }
 

@@ -34,6 +34,7 @@ typedef struct ball_def {
     double max_overlap;      /* of the radius: what the guard lets pass */
     double max_displacement; /* of the radius in a step, likewise; 0: any */
     double max_residual;     /* of the energy, likewise; 0: any */
+    int row;                 /* balls side by side that all do the same; 0: one */
 } ball_def;
 
 clast_world *ball_new(const ball_def *def);

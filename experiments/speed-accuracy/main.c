@@ -1,0 +1,73 @@
+/* speed-accuracy: error against processor time per simulated second, from one collision to the
+ * button hopper.
+ *
+ *     speed-accuracy validate            runs, compares with theory and with what S12 says
+ *     speed-accuracy figures             runs, writes data for the figures and the page */
+#include <stdio.h>
+
+#include "experiments/speed-accuracy/chart.h"
+#include "experiments/study/command.h"
+#include "experiments/study/output.h"
+
+static const char USAGE[] =
+    "usage: speed-accuracy validate|figures [--size quick|published|full]\n"
+    "Error against cost: one collision, a ball between two walls, the hopper discharge (from the\n"
+    "study hopper-discharge, when it has been run), the button hopper. Runs of the last are kept\n"
+    "below the build folder and not repeated. CLAST_SIZE and CLAST_JOBS set size and processes.\n"
+    "example: speed-accuracy validate --size quick\n";
+
+static const chart_size SIZES[] = {
+    [STUDY_QUICK] = {.name = "quick",
+                     .least = 5e-4,
+                     .resolutions = 13,
+                     .places = 4,
+                     .per_decade = 5,
+                     .finest = 6e-5,
+                     .replicates = 2,
+                     .button_step = 9e-6,
+                     .settle = "0.5 s",
+                     .latest = "0.4 s"},
+    [STUDY_PUBLISHED] = {.name = "published",
+                         .least = 0.02,
+                         .resolutions = 17,
+                         .places = 32,
+                         .per_decade = 10,
+                         .finest = 2e-5,
+                         .replicates = 32,
+                         .button_step = 4.5e-6,
+                         .settle = "1.5 s",
+                         .latest = "0.8 s",
+                         .all_variants = true},
+    [STUDY_FULL] = {.name = "full",
+                    .least = 0.02,
+                    .resolutions = 19,
+                    .places = 32,
+                    .per_decade = 20,
+                    .finest = 2e-5,
+                    .replicates = 128,
+                    .button_step = 4.5e-6,
+                    .settle = "1.5 s",
+                    .latest = "0.8 s",
+                    .all_variants = true},
+};
+
+int main(int argc, char **argv) {
+    study_command command = study_command_of(argc, argv, USAGE);
+    const chart_size *size = &SIZES[command.size];
+    char folder[600], note[200];
+    snprintf(folder, sizeof folder, "%s/studies/speed-accuracy/%s/data", BUILD_FOLDER, size->name);
+    output_folder(folder);
+    output_folder(BUILD_FOLDER "/validate");
+    chart c = {0};
+    /* what is timed short comes first, while nothing else of this program runs */
+    collision_points(&c, size, command.figures);
+    sandwich_points(&c, size, command.figures);
+    int failed = discharge_points(&c, size, BUILD_FOLDER "/studies", folder, note);
+    failed += button_points(&c, size, BUILD_FOLDER "/studies/speed-accuracy/runs", folder);
+    chart_finish(&c);
+    printf("hopper discharge: %s\n", note);
+    int code = command.figures ? chart_write_tables(&c, size, note, folder)
+                               : chart_verdicts(&c, BUILD_FOLDER "/validate/speed-accuracy.csv");
+    chart_free(&c);
+    return code ? code : failed > 0;
+}
