@@ -61,6 +61,19 @@ conveyed conveyed_of(results *r, scene_kind kind) {
     return out;
 }
 
+double fall_time(results *r, scene_kind kind) {
+    double time = 0;
+    bool below = false;
+    for (size_t i = 0; i < results_frames(r) && !below; i++) {
+        frame *f = results_frame(r, i);
+        if (!f) break;
+        time = f->time;
+        below = f->position[2] < LEVEL[kind];
+        frame_free(f);
+    }
+    return time;
+}
+
 /* ---- how hard they land ---------------------------------------------------------------------- */
 
 /* One collision is a stretch of records with a force on the lower conveyor. */

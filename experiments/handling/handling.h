@@ -124,6 +124,9 @@ typedef struct conveyed {
 
 conveyed conveyed_of(results *r, scene_kind kind);
 
+/* s, when the first particle is below the upper conveyor; the end of the run when it never is. */
+double fall_time(results *r, scene_kind kind);
+
 /* Collisions with the lower conveyor, of a run that recorded every step. */
 typedef struct drop {
     int collisions;         /* with the lower conveyor, COLLISION_GAP apart */

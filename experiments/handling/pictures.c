@@ -4,6 +4,8 @@
 #include "experiments/handling/handling.h"
 #include "experiments/study/pictures.h"
 
+/* Single particles: seconds from the moment they fall below the upper conveyor; others: from the
+ * start. */
 typedef struct still {
     scene_kind kind;
     double time; /* s */
@@ -11,12 +13,12 @@ typedef struct still {
 } still;
 
 static const still STILLS[] = {
-    {TAPERED, 0.6, "tapered-1"},
-    {TAPERED, 1.3, "tapered-2"},
-    {TAPERED, 2.2, "tapered-3"},
-    {IRREGULAR, 0.5, "irregular-1"},
-    {IRREGULAR, 1.0, "irregular-2"},
-    {IRREGULAR, 1.6, "irregular-3"},
+    {TAPERED, -0.3, "tapered-1"},
+    {TAPERED, 0.12, "tapered-2"},
+    {TAPERED, 1.0, "tapered-3"},
+    {IRREGULAR, -0.12, "irregular-1"},
+    {IRREGULAR, 0.12, "irregular-2"},
+    {IRREGULAR, 0.8, "irregular-3"},
     {BUNCH, 0.0, "bunch-1"},
     {BUNCH, 0.6, "bunch-2"},
     {BUNCH, 2.0, "bunch-3"},
@@ -29,6 +31,15 @@ static const still STILLS[] = {
 static int take(const handling_study *s, const handling_run *run, double time, const char *name,
                 const char *colour) {
     return run ? picture_still(CLAST_COMMAND, run->folder, time, s->frames, name, colour) : 0;
+}
+
+static double time_of(const handling_study *s, const still *one) {
+    const handling_run *run = run_of(s, one->kind, 0, 0);
+    if (one->kind > IRREGULAR || !run) return one->time;
+    results *r = run_open(run);
+    double time = fall_time(r, one->kind) + one->time;
+    results_free(r);
+    return time > 0 ? time : 0;
 }
 
 /* The shape in the middle, as A00 Fig. 3.30 shows its case 3: at rest, in flow, at the end. */
@@ -51,7 +62,8 @@ static int film(const handling_study *s, scene_kind kind) {
 int handling_pictures(const handling_study *s) {
     int bad = pictures_of_bin(s);
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
-        bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), STILLS[i].time, STILLS[i].name, "speed");
+        bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), time_of(s, &STILLS[i]), STILLS[i].name,
+                    "speed");
     bool small = s->size->shapes == 1; /* films take as long as all runs of the quick size */
     for (int kind = 0; kind < KINDS && !small; kind++) bad |= film(s, (scene_kind)kind);
     return bad ? 4 : 0;

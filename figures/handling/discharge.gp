@@ -16,7 +16,7 @@ do for [k=1:4] {
     if (k > 1) { unset label 999 }
     set xlabel (k > 2 ? 'time (s)' : '')
     set ylabel (k % 2 ? 'particles out' : '')
-    set label 1 sprintf('{/:Bold D = %g cm}', slot[k]) at graph 0.97,0.10 right tc rgb ink
+    set label 1 sprintf('{/:Bold D = %g cm}', slot[k]) at graph 0.03,0.92 left tc rgb ink
     if (k == 1) { set key at screen 0.55,1 - up(0.1) center top maxrows 1 } else { unset key }
     plot for [a=1:5] for [r=1:20] rows('discharge', sprintf('$1 == "%s" && $2 == %g && $3 == %d', aspect[a], slot[k], r)) \
              using 4:5 with lines lw 0.9 lc rgb hue[a] notitle, \
