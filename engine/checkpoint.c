@@ -59,6 +59,7 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
     fprintf(t, "law %d, tangent %d, friction limit %d, unloading %d\n", (int)d->law,
             (int)d->tangent, (int)d->limit, (int)d->unloading);
+    if (w->special.shared) fprintf(t, "shared dashpots\n");
     if (d->law == CLAST_LAW_MAW) fprintf(t, "impact speed %.17g\n", w->plan.impact_speed);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
     fprintf(t, "global damping %.17g, precision %d%s\n", d->global_damping, (int)d->precision,

@@ -91,6 +91,17 @@ typedef enum clast_unloading {
     CLAST_UNLOAD_AS_PRINTED /* A00 1.14 as printed: can create energy when the normal load falls */
 } clast_unloading;
 
+/* Dashpots where two bodies, or a body and a wall, touch at several spheres at once. Either way
+ * every sphere keeps its own elastic force, and single spheres see no difference. */
+typedef enum clast_clump_contact {
+    CLAST_CLUMP_EACH,  /* every contact has a dashpot of its own with the whole masses of the
+                          bodies, A00 2.2: damping grows with the number of spheres that touch,
+                          A00 3.4 */
+    CLAST_CLUMP_SHARED /* one dashpot for all of them, of their stiffness together and the effective
+                          mass where they push, arms and moments of inertia included; shared out by
+                          elastic force. For laws whose clast_law_info says `shares` */
+} clast_clump_contact;
+
 typedef enum clast_motion { CLAST_MOTION_3D, CLAST_MOTION_IN_PLANE } clast_motion;
 typedef enum clast_guard_mode { CLAST_GUARD_STOP, CLAST_GUARD_REPORT } clast_guard_mode;
 typedef enum clast_outside { CLAST_OUTSIDE_STOP, CLAST_OUTSIDE_REMOVE } clast_outside;
@@ -147,9 +158,10 @@ typedef struct clast_world_def {
     clast_tangent tangent;      /* tangential force below the Coulomb limit */
     clast_friction_limit limit; /* what the Coulomb limit is taken of */
     clast_unloading unloading;  /* Hertz laws only */
-    clast_motion motion;        /* in-plane: no velocity along plane_axis, spin about it alone */
-    int plane_axis;             /* 0 x, 1 y, 2 z: normal of the plane of motion */
-    double global_damping;      /* 1/s, f of A00 1.81; >= 0 */
+    clast_clump_contact clump_contact;
+    clast_motion motion;   /* in-plane: no velocity along plane_axis, spin about it alone */
+    int plane_axis;        /* 0 x, 1 y, 2 z: normal of the plane of motion */
+    double global_damping; /* 1/s, f of A00 1.81; >= 0 */
 
     clast_scheme scheme;
     double newton_tolerance; /* of the smallest radius: an implicit step ends when no body moves
@@ -424,8 +436,9 @@ clast_world_definition(const clast_world *w); /* with automatic values filled in
 typedef struct clast_plan {
     double time_step;     /* s, the one in use */
     double rayleigh_step; /* s, A00 1.28, smallest sphere */
-    double contact_time;  /* s, shortest contact at the expected speed */
-    double critical_step; /* s, 2 / omega of the stiffest contact on the lightest body */
+    double contact_time;  /* s, shortest contact at the expected speed: of a clump that on its
+                             outermost sphere, or flat on several at once */
+    double critical_step; /* s, 2 / omega of the stiffest contact on the lightest body, likewise */
     double impact_speed;  /* m/s, that the contact time was taken at */
     double resolution;    /* contact_time / time_step */
     double skin;          /* m */
@@ -557,6 +570,7 @@ typedef struct clast_law_info {
     bool dissipation; /* reads dissipation and reference_speed */
     bool yields;      /* keeps a plastic overlap */
     bool spring;      /* its own tangential force has a spring */
+    bool shares;      /* its dashpots go with the mass of the bodies: CLAST_CLUMP_SHARED */
 } clast_law_info;
 
 const clast_law_info *clast_law_info_of(clast_law law);

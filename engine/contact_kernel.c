@@ -2,7 +2,9 @@
  * between stays in the first-level cache: rows into columns, geometry and law in vector lanes,
  * forces into loads. Compiled once per instruction set and precision (CLAST_KERNEL names the copy);
  * the bits are the same for all instruction sets. */
+#include "engine/column_lanes.h"
 #include "engine/geometry.h"
+#include "engine/shared_lanes.h"
 #include "engine/wall_lanes.h"
 #ifndef CLAST_SINGLE
 #include "engine/contact_user.h"
@@ -28,6 +30,9 @@ typedef struct pass {
     law_need need;
     law_choice choice;
     contact_tally tally;
+    sharing sharing;
+    double whole_mass; /* kg, effective, where it is the same for all contacts */
+    real aside[HISTORY_COLUMNS][GROUP];
     batch b;
     wall_batch l;
     _Alignas(64) int64_t force[4][LANES], ta[4][LANES], tb[4][LANES]; /* quanta; [3] stays 0 */
@@ -67,10 +72,11 @@ static void fill_constants(pass *p) {
     const pair_coef *c = &w->coefs[first->material * w->material_count + other];
     double effective = p->with_walls ? 1 : 0.5; /* of radius and mass */
     batch *b = &p->b;
+    p->whole_mass = effective * first->mass;
     int lanes = p->list->count < LANES - GROUP ? (int)p->list->count + GROUP : LANES;
     for (int i = 0; i < lanes; i++) {
         b->ra[i] = b->rb[i] = r;
-        b->radius[i] = (real)(effective * r), b->mass[i] = (real)(effective * first->mass);
+        b->radius[i] = (real)(effective * r), b->mass[i] = (real)p->whole_mass;
         b->per_small[i] = 1 / r;
         fill_coefficients(b, i, c);
         b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
@@ -118,46 +124,6 @@ LANE_INLINE void load_pair(batch *b, int i, side sa, side sb, law_need need) {
 }
 
 #ifdef LANE_ROWS
-#ifdef CLAST_SINGLE
-typedef float real4 __attribute__((vector_size(16), aligned(4), may_alias));
-#else
-typedef rows4 real4;
-#endif
-
-LANE_INLINE rows4 row_at(const double *p) {
-    return *(const rows4 *)p;
-}
-
-LANE_INLINE void put4(real *to, rows4 from) {
-#ifdef CLAST_SINGLE
-    *(real4 *)to = __builtin_convertvector(from, real4);
-#else
-    *(real4 *)to = from;
-#endif
-}
-
-/* Four rows into three columns, or those of them that a flat scene has. */
-LANE_INLINE void put_vector(real (*to)[LANES], int i, const rows4 *r, law_need need) {
-    rows4 c[4];
-    TRANSPOSE4(rows4, r, c);
-    put4(&to[0][i], c[0]), put4(&to[1][i], c[1]);
-    if (!need.flat) put4(&to[2][i], c[2]);
-}
-
-LANE_INLINE void put_spin(real (*to)[LANES], int i, const rows4 *r, law_need need) {
-    rows4 c[4];
-    TRANSPOSE4(rows4, r, c);
-    if (!need.flat) put4(&to[0][i], c[0]), put4(&to[1][i], c[1]);
-    put4(&to[2][i], c[2]);
-}
-
-LANE_INLINE void put_places(double (*to)[LANES], int i, const rows4 *r, law_need need) {
-    rows4 c[4];
-    TRANSPOSE4(rows4, r, c);
-    *(rows4 *)&to[0][i] = c[0], *(rows4 *)&to[1][i] = c[1];
-    if (!need.flat) *(rows4 *)&to[2][i] = c[2];
-}
-
 LANE_INLINE void load_four(batch *b, int i, const side *sa, const side *sb, law_need need) {
     rows4 d[4], v[4], wa[4], wb[4], oa[4], ob[4];
     for (int k = 0; k < 4; k++) {
@@ -256,12 +222,6 @@ LANE_INLINE void load_wall_contact(pass *p, int i, size_t sphere, size_t wall_in
 }
 
 #ifdef LANE_ROWS
-LANE_INLINE void put_row(double (*to)[LANES], int i, const rows4 *r) {
-    rows4 c[4];
-    TRANSPOSE4(rows4, r, c);
-    for (int k = 0; k < 4; k++) *(rows4 *)&to[k][i] = c[k];
-}
-
 LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
                                  law_need need) {
     const row_store *r = &p->w->rows;
@@ -610,26 +570,106 @@ static void report(pass *p, size_t begin, int count) {
 
 /* ---- the pass -------------------------------------------------------------------------------- */
 
+/* Everything that the law reads. */
+LANE_INLINE void prepare_batch(pass *p, size_t begin, int count, int padded, law_need need) {
+    if (p->with_walls)
+        load_walls(p, begin, count, need);
+    else
+        load_spheres(p, begin, count, need);
+    if (padded > count) pad(p, count, padded);
+    if (p->with_walls)
+        touch_walls(p, begin, count, padded);
+    else
+        touch_spheres(p, padded, need);
+    prefetch_piece(p, begin, 0, need);
+    if (p->around) before_law(p, begin, count, padded);
+}
+
+LANE_INLINE int padded_of(int count) {
+    return (count + GROUP - 1) / GROUP * GROUP;
+}
+
+/* ---- shared dashpots ------------------------------------------------------------------------- */
+
+LANE_INLINE void weigh_batch(pass *p, size_t begin, int count, int padded, law_need need) {
+    shared_batch *g = &p->sharing.batch[(begin - p->sharing.begin) / LANES];
+    const row_store *r = &p->w->rows;
+#pragma omp simd
+    for (int i = 0; i < padded; i++) weigh_lane(&p->b, g, i, need);
+    load_moments(g->ia, r, p->list->a + begin, count, need);
+    clear_moments(g->ia, count, padded);
+    if (!p->with_walls) load_moments(g->ib, r, p->list->b + begin, count, need);
+    clear_moments(g->ib, p->with_walls ? 0 : count, padded);
+}
+
+/* All batches of a body with more contacts than one holds. Not compiled for every case: they are
+ * few. */
+static __attribute__((noinline)) void weigh_ahead(pass *p) {
+    for (size_t begin = p->sharing.begin; begin < p->sharing.end; begin += LANES) {
+        size_t left = p->sharing.end - begin;
+        int count = left < LANES ? (int)left : LANES;
+        prepare_batch(p, begin, count, padded_of(count), p->need);
+        weigh_batch(p, begin, count, padded_of(count), p->need);
+    }
+    join_groups(&p->sharing);
+}
+
+/* Before a batch; groups do not reach beyond the end that it sets. */
+LANE_INLINE void begin_sharing(pass *p, size_t begin) {
+    sharing *s = &p->sharing;
+    if (begin < s->end) return;
+    s->begin = begin, s->end = block_end(p->w, p->list, begin);
+    if (s->end - begin > LANES) weigh_ahead(p);
+}
+
+/* Effective masses that make one dashpot of all in a group. */
+LANE_INLINE void share_dashpots(pass *p, size_t begin, int count, int padded, law_need need) {
+    sharing *s = &p->sharing;
+    if (s->end - s->begin <= LANES) {
+        weigh_batch(p, begin, count, padded, need);
+        join_groups(s);
+    }
+    shared_batch *g = &s->batch[(begin - s->begin) / LANES];
+    batch *b = &p->b;
+    if (is_uniform(p)) {
+        for (int i = 0; i < padded; i++) b->mass[i] = (real)p->whole_mass;
+    }
+#pragma omp simd
+    for (int i = 0; i < padded; i++) shared_mass_lane(b, g, i, need);
+}
+
+/* Histories behind a batch that ends before the list does: lanes that pad it write there. */
+static void set_aside(pass *p, size_t from) {
+    for (int k = 0; k < p->w->history_columns; k++) {
+        real *column = (real *)p->list->column[k] + from;
+        memcpy(p->aside[k], column, sizeof p->aside[k]);
+        memset(column, 0, sizeof p->aside[k]);
+    }
+}
+
+static void put_back(const pass *p, size_t from) {
+    for (int k = 0; k < p->w->history_columns; k++)
+        memcpy((real *)p->list->column[k] + from, p->aside[k], sizeof p->aside[k]);
+}
+
+/* ---- lists ----------------------------------------------------------------------------------- */
+
 LANE_INLINE void run_list(pass *p, law_need need) {
-    for (size_t begin = 0; begin < p->list->count; begin += LANES) {
-        size_t left = p->list->count - begin;
-        int count = left < LANES ? (int)left : LANES, padded = (count + GROUP - 1) / GROUP * GROUP;
-        if (p->with_walls)
-            load_walls(p, begin, count, need);
-        else
-            load_spheres(p, begin, count, need);
-        if (padded > count) pad(p, count, padded);
-        if (p->with_walls)
-            touch_walls(p, begin, count, padded);
-        else
-            touch_spheres(p, padded, need);
-        prefetch_piece(p, begin, 0, need);
-        if (p->around) before_law(p, begin, count, padded);
+    bool shared = need.clumps && p->sharing.on;
+    for (size_t begin = 0, next; begin < p->list->count; begin = next) {
+        if (shared) begin_sharing(p, begin);
+        size_t end = shared ? p->sharing.end : p->list->count, left = end - begin;
+        int count = left < LANES ? (int)left : LANES, padded = padded_of(count);
+        next = begin + (size_t)count;
+        prepare_batch(p, begin, count, padded, need);
+        if (shared) share_dashpots(p, begin, count, padded, need);
+        if (shared) set_aside(p, next);
         if (p->user)
             run_user(p, begin, count, padded);
         else
             run_lanes(p, begin, padded, need);
         if (p->around) after_law(p, begin, padded);
+        if (shared) put_back(p, next);
         prefetch_piece(p, begin, 4, need);
         tally_lanes(p, padded);
         prefetch_piece(p, begin, 5, need);
@@ -662,6 +702,9 @@ LANE_INLINE void run_linear(pass *p, bool flat) {
 static void run(pass *p) {
     const law_need *need = &p->need;
     if (p->list->count == 0) return;
+    p->sharing = (sharing){.on = p->w->special.shared,
+                           .groups = &p->s->groups[p->with_walls],
+                           .batch = p->s->batches};
     fill_constants(p);
     if (need->linear && need->flat)
         run_linear(p, true);

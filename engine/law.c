@@ -4,11 +4,12 @@
 #include "engine/world.h"
 
 static const clast_law_info LAWS[] = {
-    [CLAST_LAW_HERTZ_A00] = {"hertz-a00", .spring = true},
-    [CLAST_LAW_HERTZ_MINDLIN] = {"hertz-mindlin", .spring = true},
-    [CLAST_LAW_LINEAR] = {"linear", .linear = true, .stiffness = true, .spring = true},
-    [CLAST_LAW_MAW] = {"maw", .linear = true, .spring = true},
-    [CLAST_LAW_HOOKE] = {"hooke", .linear = true},
+    [CLAST_LAW_HERTZ_A00] = {"hertz-a00", .spring = true, .shares = true},
+    [CLAST_LAW_HERTZ_MINDLIN] = {"hertz-mindlin", .spring = true, .shares = true},
+    [CLAST_LAW_LINEAR] = {"linear", .linear = true, .stiffness = true, .spring = true,
+                          .shares = true},
+    [CLAST_LAW_MAW] = {"maw", .linear = true, .spring = true, .shares = true},
+    [CLAST_LAW_HOOKE] = {"hooke", .linear = true, .shares = true},
     [CLAST_LAW_HERTZ_BRILLIANTOV] = {"hertz-brilliantov", .dissipation = true},
     [CLAST_LAW_WALTON_BRAUN] = {"walton-braun", .linear = true, .stiffness = true, .yields = true},
     [CLAST_LAW_USER] = {"user", .linear = true, .spring = true},
@@ -90,9 +91,16 @@ static double largest_radius(const shape *s) {
     return r;
 }
 
-/* Effective mass and radius of all pairs of shapes and of all shapes with all walls, at their
- * largest spheres. A whole body's mass counts at each contact; arms and inertia make contacts
- * lighter, by up to the ratio of masses. */
+double law_effective_mass(double a, double b) {
+    return a * b / (a + b);
+}
+
+/* kg, effective, as the law takes it: that of the bodies, wherever they touch. */
+double law_whole_mass(const expected_contact *e) {
+    return e->b ? law_effective_mass(e->a->mass, e->b->mass) : e->a->mass;
+}
+
+/* All pairs of shapes and all shapes with all walls, at their largest spheres. */
 void law_each_contact(const clast_world *w, law_visitor *visit, void *context) {
     for (int i = 0; i < w->shape_count; i++) {
         const shape *a = &w->shapes[i];
@@ -101,13 +109,12 @@ void law_each_contact(const clast_world *w, law_visitor *visit, void *context) {
         for (int j = 0; j <= i; j++) {
             const shape *b = &w->shapes[j];
             double rb = largest_radius(b);
-            if (row[b->material].set)
-                visit(w, &row[b->material], a->mass * b->mass / (a->mass + b->mass),
-                      ra * rb / (ra + rb), context);
+            expected_contact e = {&row[b->material], a, b, ra * rb / (ra + rb)};
+            if (e.coef->set) visit(w, &e, context);
         }
         for (int l = 0; l < w->wall_count; l++) {
-            const pair_coef *c = &row[w->walls[l].def.material];
-            if (c->set) visit(w, c, a->mass, ra, context);
+            expected_contact e = {&row[w->walls[l].def.material], a, NULL, ra};
+            if (e.coef->set) visit(w, &e, context);
         }
     }
 }
@@ -132,12 +139,12 @@ typedef struct lightest {
     double mass, radius;
 } lightest;
 
-static void find_lightest(const clast_world *w, const pair_coef *c, double mass, double radius,
-                          void *context) {
+static void find_lightest(const clast_world *w, const expected_contact *e, void *context) {
     (void)w;
     lightest *l = context;
-    if ((c != l->one && c != l->other) || mass >= l->mass) return;
-    l->mass = mass, l->radius = radius;
+    double mass = law_whole_mass(e);
+    if ((e->coef != l->one && e->coef != l->other) || mass >= l->mass) return;
+    l->mass = mass, l->radius = e->radius;
 }
 
 /* A is a constant of the materials, the rebound at one speed also depends on size: solved for the
@@ -182,8 +189,7 @@ void law_prepare(clast_world *w) {
 /* While it loads for the first time; effective radius and mass. */
 double law_elastic_force(const clast_world *w, const pair_coef *c, double radius, double mass,
                          double overlap) {
-    if (w->def.law == CLAST_LAW_USER)
-        return user_law_elastic_force(w, c, radius, mass, overlap);
+    if (w->def.law == CLAST_LAW_USER) return user_law_elastic_force(w, c, radius, mass, overlap);
     if (w->def.law == CLAST_LAW_WALTON_BRAUN) return c->stiffness * overlap;
     if (clast_law_info_of(w->def.law)->linear)
         return c->k_normal * law_scale(w->def.law, radius, mass) * overlap;

@@ -17,6 +17,9 @@ static void reserve_bodies(clast_world *w) {
     r->loads = memory_lines(w, r->loads, old * sizeof *r->loads, need * sizeof *r->loads);
     if (w->special.clumps)
         r->first = memory_grow(w, r->first, old ? old + 1 : 0, need + 1, sizeof *r->first);
+    if (w->special.shared)
+        r->inertia =
+            memory_lines(w, r->inertia, old * sizeof *r->inertia, need * sizeof *r->inertia);
     r->bodies = need;
 }
 
@@ -31,7 +34,8 @@ static void reserve_spheres(clast_world *w) {
     r->spheres = need;
 }
 
-/* Lays spheres out in the order of their bodies. */
+/* Lays spheres out in the order of their bodies. (In a plane the inverse moment about its axis is
+ * the only one that counts, and stays.) */
 void rows_layout(clast_world *w) {
     w->sphere_count = count_spheres(w);
     reserve_bodies(w);
@@ -43,6 +47,7 @@ void rows_layout(clast_world *w) {
         r->motion[i].mass = s->mass;
         r->motion[i].material = s->material;
         if (w->special.clumps) r->first[i] = (uint32_t)place;
+        if (w->special.shared) r->inertia[i].zz = to_kernel(w, s->inverse_inertia).z;
         for (int k = 0; k < s->spheres; k++, place++) {
             r->centre[place].radius = s->radius[k];
             if (w->special.clumps) r->arm[place].body = (int64_t)i;

@@ -25,6 +25,14 @@ static inline void put_arm(arm_row *to, vec3 arm) {
     to->arm[0] = arm.x, to->arm[1] = arm.y, to->arm[2] = arm.z;
 }
 
+/* R I^-1 R^T */
+static inline void put_inertia(inertia_row *to, const mat3 *r, vec3 inverse) {
+    vec3 x = v3_mul(inverse, r->row[0]), y = v3_mul(inverse, r->row[1]);
+    vec3 z = v3_mul(inverse, r->row[2]);
+    to->xx = v3_dot(x, r->row[0]), to->yy = v3_dot(y, r->row[1]), to->zz = v3_dot(z, r->row[2]);
+    to->yz = v3_dot(y, r->row[2]), to->zx = v3_dot(z, r->row[0]), to->xy = v3_dot(x, r->row[1]);
+}
+
 static inline void place_in_plane(const clast_world *w, const kernel_columns *c, size_t i) {
     const shape *s = &w->shapes[w->bodies.shape[i]];
     double qw = c->qw[i], qa = c->q[2][i];
@@ -42,6 +50,7 @@ static inline void place_in_plane(const clast_world *w, const kernel_columns *c,
 static inline void place_in_space(const clast_world *w, const kernel_columns *c, size_t i) {
     const shape *s = &w->shapes[w->bodies.shape[i]];
     mat3 r = q_matrix((quat){c->qw[i], c->q[0][i], c->q[1][i], c->q[2][i]});
+    if (w->special.shared) put_inertia(&w->rows.inertia[i], &r, s->inverse_inertia);
     size_t e = w->rows.first[i];
     for (int k = 0; k < s->spheres; k++, e++) {
         vec3 arm = m3_apply(&r, s->centre[k]);

@@ -17,6 +17,7 @@ void shares_free(clast_world *w) {
         memory_release(s->wall_reach.sphere), memory_release(s->wall_reach.wall);
         free_contacts(&s->contacts), free_contacts(&s->walls);
         memory_release(s->overhang);
+        shared_free(s);
     }
     memory_release(w->shares), memory_release(w->power_room);
     w->shares = NULL, w->power_room = NULL;

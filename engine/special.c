@@ -104,6 +104,7 @@ void special_choose(clast_world *w) {
     for (int l = 1; l < w->wall_count; l++)
         k.one_wall &= w->walls[l].def.material == w->walls[0].def.material;
     k.flat = is_flat(w);
+    k.shared = k.clumps && w->def.clump_contact == CLAST_CLUMP_SHARED;
     w->special = k;
 }
 

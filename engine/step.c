@@ -104,6 +104,8 @@ static clast_status prepare_checked(clast_world *w) {
     choose_sizes(w);
     choose_threads(w);
     special_choose(w);
+    s = shared_check(w);
+    if (s) return s;
     special_choose_kernels(w);
     special_choose_scale(w);
     if ((uint64_t)w->next_id * w->name_stride >= UINT32_MAX)

@@ -151,9 +151,9 @@ static const char *kernel_name(const clast_world *w) {
                          : k->flat                              ? "in-plane motion, one layer"
                                                                 : "in-plane motion";
     const char *friction = !k->tangent ? ", no friction" : k->spring ? "" : ", viscous friction";
-    snprintf(name, sizeof name, "%s%s, %s%s%s%s", k->clumps ? "clumps" : "spheres",
-             k->one_kind ? " of one kind" : "", motion, friction,
-             k->rolling ? ", rolling friction" : "",
+    snprintf(name, sizeof name, "%s%s%s, %s%s%s%s", k->clumps ? "clumps" : "spheres",
+             k->one_kind ? " of one kind" : "", k->shared ? " with shared dashpots" : "", motion,
+             friction, k->rolling ? ", rolling friction" : "",
              w->def.precision == CLAST_PRECISION_MIXED ? ", mixed precision" : "");
     return name;
 }

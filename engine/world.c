@@ -65,6 +65,8 @@ static const char *fault_of(const clast_world_def *d) {
     if (d->precision != CLAST_PRECISION_DOUBLE && d->precision != CLAST_PRECISION_MIXED)
         return "precision is not one of the two";
     if ((unsigned)d->tangent > CLAST_TANGENT_VISCOUS) return "tangent is not one of the three";
+    if ((unsigned)d->clump_contact > CLAST_CLUMP_SHARED)
+        return "clump_contact is not one of the two";
     if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
     return NULL;
 }
@@ -106,6 +108,7 @@ void clast_world_free(clast_world *w) {
 #undef X
     row_store *r = &w->rows;
     free(r->motion), free(r->loads), free(r->centre), free(r->arm), free(r->first);
+    free(r->inertia);
     carry_free(w);
     free(w->records.items), free(w->slot_of_id);
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);

@@ -67,6 +67,11 @@ typedef struct arm_row {
     int64_t body;  /* slot */
 } arm_row;
 
+typedef struct inertia_row { /* 1/(kg m2), of the inverse moments */
+    double xx, yy, zz, none;
+    double yz, zx, xy, nothing;
+} inertia_row;
+
 typedef struct load_row { /* fixed point; [3] is not used */
     int64_t force[4];
     int64_t torque[4]; /* about the centre of mass */
@@ -78,6 +83,7 @@ typedef struct row_store {
     load_row *loads;        /* per body; zero between the kick and the contact pass */
     centre_row *centre;     /* per sphere */
     arm_row *arm;           /* per sphere; worlds of clumps alone */
+    inertia_row *inertia;   /* per body; worlds of shared dashpots alone */
     uint32_t *first;        /* per body and one more: its first sphere; worlds of clumps alone */
 } row_store;
 
@@ -211,6 +217,18 @@ typedef struct reach_list {
     int32_t *ahead;  /* scratch: bodies ahead of one body */
 } reach_list;
 
+/* Contacts that share a dashpot (shared.c): of two or more, by body. */
+typedef struct contact_groups {
+    size_t count, capacity;
+    uint32_t *first;  /* per group and one more: its first place in member */
+    uint32_t *member; /* entries of the contact list, in an order of names */
+} contact_groups;
+
+typedef struct group_item {
+    uint32_t partner, entry;
+    uint64_t place; /* of the two spheres in their shapes */
+} group_item;
+
 typedef struct wall_reach {
     size_t count, capacity;
     int32_t *sphere, *wall;
@@ -245,7 +263,11 @@ typedef struct share {
     reach_list reach;
     wall_reach wall_reach;
     contact_list contacts, walls;
-    found_list found[2]; /* while they are made */
+    found_list found[2];      /* while they are made */
+    contact_groups groups[2]; /* of contacts and of walls; worlds of shared dashpots alone */
+    group_item *items;        /* scratch: contacts of one body */
+    void *batches;            /* scratch: shared_batch, for the contacts of one body */
+    size_t item_capacity;
     load_row *overhang;  /* of bodies from body_end on that this share's contacts load */
     size_t overhang_count, overhang_capacity;
     contact_tally contact_tally;
@@ -297,9 +319,10 @@ typedef struct speciality {
     bool one_material, one_shape;
     bool one_wall; /* spheres of one kind, walls of one material */
     bool round;    /* all bodies have three equal moments */
-    bool oriented;  /* it matters how bodies are turned: clumps, or asked for */
+    bool oriented; /* it matters how bodies are turned: clumps, or asked for */
     bool spring;   /* tangential force: spring and dashpot, else the dashpot alone */
     bool rolling;  /* rolling friction somewhere */
+    bool shared;   /* clumps, whose dashpots are shared */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
@@ -457,8 +480,14 @@ typedef struct stored_energy {
 } stored_energy;
 stored_energy law_stored_energy(const clast_world *w, const pair_coef *c, double radius,
                                 double mass, const history *h);
-typedef void law_visitor(const clast_world *w, const pair_coef *c, double mass, double radius,
-                         void *context);
+typedef struct expected_contact {
+    const pair_coef *coef;
+    const shape *a, *b; /* b: NULL for a wall */
+    double radius;      /* m, effective */
+} expected_contact;
+double law_effective_mass(double a, double b);
+double law_whole_mass(const expected_contact *e);
+typedef void law_visitor(const clast_world *w, const expected_contact *e, void *context);
 void law_each_contact(const clast_world *w, law_visitor *visit, void *context);
 void law_prepare_pair(clast_world *w, int material_a, int material_b);
 void law_prepare(clast_world *w);
@@ -471,6 +500,11 @@ stored_energy user_law_stored_energy(const clast_world *w, const pair_coef *c, d
                                      double mass, const history *h);
 double user_law_stiffness(const clast_world *w, const pair_coef *c, double radius, double mass,
                           double speed);
+
+/* shared.c */
+clast_status shared_check(clast_world *w);
+void shared_group(clast_world *w, share *s);
+void shared_free(share *s);
 
 /* rows.c */
 void rows_layout(clast_world *w);

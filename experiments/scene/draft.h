@@ -151,8 +151,7 @@ typedef struct measure_item {
 typedef struct scene_draft {
     const char *title;
     clast_world_def def;
-    int motion; /* 0 3-D, 1 + axis in plane */
-    int clump_contact;
+    int motion;                     /* 0 3-D, 1 + axis in plane */
     const char *library, *function; /* of a contact law of the user's own; NULL: not given */
     uint64_t seed;
     item_list materials, pairs, shapes, parts, walls, bodies, measures;

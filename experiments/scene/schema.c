@@ -23,7 +23,7 @@ static const char *const LAWS[] = {"hertz-a00", "hertz-mindlin", "linear", "maw"
 static const char *const TANGENTS[] = {"by-law", "spring", "viscous", NULL};
 static const char *const LIMITS[] = {"total", "spring", NULL};
 static const char *const UNLOADINGS[] = {"rescale", "as-printed", NULL};
-static const char *const CLUMP_CONTACTS[] = {"each", NULL};
+static const char *const CLUMP_CONTACTS[] = {"each", "shared", NULL};
 static const char *const MOTIONS[] = {"3d", "in-plane x", "in-plane y", "in-plane z", NULL};
 static const char *const OUTSIDES[] = {"stop", "remove", NULL};
 static const char *const GUARDS[] = {"stop", "report", NULL};
@@ -48,6 +48,7 @@ _Static_assert(CLAST_LAW_HERTZ_A00 == 0 && CLAST_LAW_HERTZ_MINDLIN == 1 &&
                CLAST_LAW_USER == 7, "");
 _Static_assert(CLAST_TANGENT_BY_LAW == 0 && CLAST_TANGENT_SPRING == 1 &&
                CLAST_TANGENT_VISCOUS == 2, "");
+_Static_assert(CLAST_CLUMP_EACH == 0 && CLAST_CLUMP_SHARED == 1, "");
 _Static_assert(CLAST_LIMIT_TOTAL == 0 && CLAST_LIMIT_SPRING == 1, "");
 _Static_assert(CLAST_UNLOAD_RESCALE == 0 && CLAST_UNLOAD_AS_PRINTED == 1, "");
 _Static_assert(CLAST_OUTSIDE_STOP == 0 && CLAST_OUTSIDE_REMOVE == 1, "");
@@ -81,8 +82,11 @@ static const scene_key CONTACT_KEYS[] = {
      .meaning = "tangential spring when the normal load falls; as-printed can create energy"},
     {"global_damping", KEY_NUMBER, UNIT_RATE, FIELD(def.global_damping), FROM(0),
      .fallback = "0 /s", .meaning = "damping of every motion"},
-    {"clump_contact", KEY_CHOICE, FIELD(clump_contact), .choices = CLUMP_CONTACTS,
-     .fallback = "each", .meaning = "dashpots of a clump that touches at several spheres"},
+    {"clump_contact", KEY_CHOICE, FIELD(def.clump_contact), .choices = CLUMP_CONTACTS,
+     .fallback = "shared",
+     .meaning = "dashpots where two bodies touch at several spheres: one in each contact, so that "
+                "damping grows with their number, or one shared by all; clumps of "
+                "hertz-brilliantov, walton-braun and user need each"},
 };
 TABLE(CONTACT, "contact", scene_draft, CONTACT_KEYS);
 

@@ -238,7 +238,7 @@ static clast_vec3 turned_axes(int a, double u, double v, double along) {
 static clast_vec3 tumbled(int a, clast_motion motion, double *spin) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
     def.gravity = turned_axes(a, 0, -9.81, 0);
-    def.motion = motion, def.plane_axis = a, def.rayleigh_fraction = 0.5;
+    def.motion = motion, def.plane_axis = a, def.time_step = 2.8e-5;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.7, 0.3);
     two_materials m = add_materials(w, &pair);

@@ -55,10 +55,11 @@ static clast_world *new_world_of(const bed_wish *wish) {
     clast_world_def def = clast_world_def_default();
     def.law = wish->law, def.motion = wish->motion, def.plane_axis = 1;
     def.precision = wish->precision, def.tangent = wish->tangent;
+    def.clump_contact = wish->clump_contact;
     def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
     def.scheme = wish->scheme;
     if (wish->scheme != CLAST_SCHEME_LEAPFROG) def.max_residual = 1e9; /* of first order, some */
-    def.rayleigh_fraction = 1, def.contact_resolution = 20, def.impact_speed = 2.5;
+    def.rayleigh_fraction = 1, def.contact_resolution = 11, def.impact_speed = 2.5;
     def.gravity.z = -30, def.max_overlap = 0.3, def.max_displacement = 0.5,
     def.global_damping = 0.1;
     def.domain_min = (clast_vec3){-0.2, -0.1, -0.015}, def.domain_max = (clast_vec3){0.2, 0.1, 1.0};

@@ -14,6 +14,7 @@ typedef struct bed_wish {
     int bodies; /* 0 reads as 63 */
     double rolling;
     clast_tangent tangent;
+    clast_clump_contact clump_contact;
     clast_precision precision;
     clast_scheme scheme;
 } bed_wish;
