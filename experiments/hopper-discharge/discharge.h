@@ -156,7 +156,7 @@ extern const char *const FAILURE_NAME[FAILURES];
 #define HEATED_AT        0.05 /* of the bed's energy: what the engine's guard lets pass, too */
 #define MANY_THROUGH     0.01 /* of the spheres */
 #define SPAN_PART        0.95 /* of the mass is out when counting and timing end */
-#define RESIDENCE_LATEST 2.0  /* s, by when all are out but a few that bounce alone */
+#define RESIDENCE_LATEST 3.0  /* s, by when all are out but a few that bounce alone */
 
 /* Plain data: kept on disk as it is. */
 typedef struct flow {
@@ -210,7 +210,7 @@ void kept_results(const kept_task *task, int count, void *results);
 /* ---- what is run ----------------------------------------------------------------------------- */
 
 enum { LEAPFROG, EXPLICIT, IMPLICIT, METHODS };
-enum { STEPS = 5, SCANS = 12, STATES_MAX = 12, VARIANTS = 8, CRITERIA = 3 };
+enum { STEPS = 5, SCANS = 12, STATES_MAX = 12, VARIANTS = 9, CRITERIA = 3 };
 enum { BY_WALL, BY_STOP, BY_ENERGY };
 
 extern const clast_scheme METHOD_SCHEME[METHODS];

@@ -3,7 +3,8 @@
  * A sphere leaves when its centre passes the level of the orifice between the walls, and is through
  * a wall when it is wholly behind it above that level. Energy is added up here: the world holds
  * that of the spheres in it, and those that have fallen out of it took along what they had when
- * last seen, in free fall. */
+ * last seen, in free fall. Spheres that are gone at the orifice take a part of what their contacts
+ * hold: no energy is told then. */
 #include <math.h>
 #include <time.h>
 
@@ -58,6 +59,7 @@ static double energy_of_bed(clast_world *w, const bed *b) {
 
 static void look_at_energy(watch *o) {
     flow *f = o->out;
+    if (o->plan->hopper->solid) return;
     double error = (energy_of_world(o->world) + o->carried - o->start) / f->bed_energy;
     f->energy_error = error;
     if (!(fabs(error) <= f->energy_worst)) f->energy_worst = fabs(error);
@@ -201,6 +203,7 @@ void flow_run(const flow_plan *plan, flow *out) {
     }
     look_at_energy(&o);
     out->trapped = o.inside;
+    if (plan->hopper->solid) out->energy_error = out->energy_worst = NAN;
     bool late = plan->until >= RESIDENCE_LATEST;
     if (runs && late && o.inside > MANY_THROUGH * plan->bed->count) fail(&o, FAILED_LEFT);
     bool whole = late && out->failed == FAILED_NOT;

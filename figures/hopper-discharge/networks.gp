@@ -15,7 +15,7 @@ plot rows('networks', '$4 > 0') using 2:4 with points pt 7 ps 0.35 lc rgb ink ti
 unset label 999
 set lmargin at screen 0.5 + across(1.7); set rmargin at screen 1 - across(0.35)
 set ylabel 'limit of the step, ms'; set yrange [0.8:3]
-set key top left
+set key bottom right
 plot rows('networks', '$4 > 0') using 2:(1e3 * $8) with points pt 7 ps 0.35 lc rgb tints[2] title words[2], \
      rows('networks', '$4 > 0') using 2:(1e3 * $9) with points pt 7 ps 0.35 lc rgb tints[3] title words[3]
 unset multiplot

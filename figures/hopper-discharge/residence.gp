@@ -6,10 +6,11 @@ width = 17; height = 8.5
 load style
 load tools.'/hopper-discharge/discharge.gpi'
 set multiplot
-set xrange [0:0.9]; set xlabel 'time step, ms'
+set xrange [0:0.9]; set xtics 0.2; set xlabel 'time step, ms'
+set offsets graph 0, graph 0, graph 0.05, graph 0.5
 set key bottom left
 set tmargin at screen 1 - up(1.3)
-set xtics nomirror; set x2tics ('32' 0.1, '16' 0.2, '8' 0.4, '5.4' 0.6, '4' 0.8) out scale 0.5 tc rgb ink
+set x2tics ('32' 0.1, '16' 0.2, '8' 0.4, '5.4' 0.6, '4' 0.8) out scale 0.5 tc rgb ink
 set x2range [0:0.9]; set x2label 'steps in the shortest contact' tc rgb ink offset 0,-0.3
 set lmargin at screen across(1.7); set rmargin at screen 0.5 - across(0.1)
 set ylabel 'mean residence time, s'
@@ -18,7 +19,7 @@ plot for [m=1:3] of('residence', m) using (1e3 * $2 + shift(m)):5:(spread($6)) w
 unset label 999; unset key
 set lmargin at screen 0.5 + across(1.7); set rmargin at screen 1 - across(0.35)
 set ylabel 'residence time over position Verlet’s'
-set yrange [0.9:1.1]
+set offsets; set yrange [0.9:1.1]
 set object 1 rectangle from graph 0, first 0.95 to graph 1, first 1.05 fc rgb '#f0f0f0' fs solid noborder behind
 set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lw 0.7 lc rgb faint
 plot of('residence', 1) using (1e3 * $2 - 0.008):9:(spread($10)) with yerrorbars pt marks[1] ps 0.8 lw 1.1 lc rgb tints[1], \

@@ -1,13 +1,13 @@
 # title: What each assumption does
 # counterpart: none, our own measurement
 # needs: sensitivity.csv
-# caption: One assumption changed at a time; bars are 95 % intervals over the initial states. Left: mean residence time at 0.2 ms. Middle: by how much it drifts up to 0.8 ms. Right: the step at which 5 % of the energy is made, to 0.1 ms.
+# caption: One assumption changed at a time; bars are 95 % intervals over the initial states. Left: mean residence time at 0.2 ms. Middle: by how much it drifts up to 0.8 ms. Right: the step at which a run stops, to 0.1 ms.
 width = 17; height = 9
 load style
 load tools.'/hopper-discharge/discharge.gpi'
 set multiplot
-all = sprintf("< awk -F, 'NR > 1' '%s/sensitivity.csv' | sed 's/, not settled/ (not settled)/; s/half-spaces; gone at once/half-spaces/; s/walls, from the vertical/walls to the vertical/; s/\"//g'", data)
-set yrange [-7.6:0.6]; set grid noytics xtics
+all = sprintf("< sed '1d; s/\"walls, from the vertical\"/walls to the vertical/' '%s/sensitivity.csv'", data)
+set yrange [-8.6:0.6]; set grid noytics xtics
 row(n) = -n
 set tmargin at screen 1 - up(1.2)
 set key at screen 0.62,1 - up(0.1) center top maxrows 1
@@ -21,7 +21,7 @@ plot all using (100 * $6):(row($0) + 0.12):(100 * spread($7)) with xerrorbars pt
      all using (100 * $8):(row($0) - 0.12):(100 * spread($9)) with xerrorbars pt marks[3] ps 0.8 lw 1.1 lc rgb tints[3] title words[3]
 unset key
 set lmargin at screen across(13.2); set rmargin at screen across(16.7)
-set xlabel '5 % of energy made at, ms'
-plot all using (1e3 * $18):(row($0) + 0.12):(1e3 * spread($19)) with xerrorbars pt marks[2] ps 0.8 lw 1.1 lc rgb tints[2], \
-     all using (1e3 * $20):(row($0) - 0.12):(1e3 * spread($21)) with xerrorbars pt marks[3] ps 0.8 lw 1.1 lc rgb tints[3]
+set xlabel 'run stops at, ms'
+plot all using (1e3 * $14):(row($0) + 0.12):(1e3 * spread($15)) with xerrorbars pt marks[2] ps 0.8 lw 1.1 lc rgb tints[2], \
+     all using (1e3 * $16):(row($0) - 0.12):(1e3 * spread($17)) with xerrorbars pt marks[3] ps 0.8 lw 1.1 lc rgb tints[3]
 unset multiplot
