@@ -38,6 +38,7 @@ int main(int argc, char **argv) {
     int code;
     if (command.figures) {
         code = needs_write_tables(&s);
+        if (!code && !s.size.quick) code = needs_pictures(&s);
     } else {
         output_folder(BUILD_FOLDER "/validate");
         code = needs_verdicts(&s, BUILD_FOLDER "/validate/scene-needs.csv");

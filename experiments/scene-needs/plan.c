@@ -54,7 +54,7 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
      .leg = {{"scene-needs/heap.yaml", "",
               "count=12;half_box=30 mm;young=10 MPa;step=40 us;"
               "fill=20 cm;settle=0.4 s;pile=1 s",
-              ""}},
+              "", "frames=500 ms"}},
      .observables = 1,
      .observable = {{"angle of repose", "deg", 0, needs_heap_slope, false}},
      .switches = COUNT(SPHERE_SWITCHES),
@@ -64,7 +64,7 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
      .leg = {{"scene-needs/silo.yaml", "",
               "count=12;half_width=60 mm;young=10 MPa;step=40 us;"
               "fill=15 cm;settle=0.3 s;flow=0.5 s",
-              ""}},
+              "", "frames=200 ms"}},
      .observables = 1,
      .observable = {{"discharge rate", "kg/s", 0, needs_flow_rate, true}},
      .switches = COUNT(SPHERE_SWITCHES),
@@ -72,9 +72,9 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
     {.name = "button hopper",
      .legs = 2,
      .leg = {{"button-hopper/fill.yaml", "friction=0.2;wall_friction=0.2;columns=10;step=4.5 us",
-              "young=175 MPa;step=30 us;settle=0.5 s", "output.frames=none"},
+              "young=175 MPa;step=30 us;settle=0.5 s", "output.frames=none", NULL},
              {"button-hopper/discharge.yaml", "orifice=10 cm;step=4.5 us;latest=0.8 s",
-              "young=175 MPa;step=30 us;latest=0.35 s", "output.frames=none"}},
+              "young=175 MPa;step=30 us;latest=0.35 s", "output.frames=none", NULL}},
      .observables = 2,
      .observable = {{"solid fraction at rest", "-", 0, needs_solid_fraction, false},
                     {"flow rate at 10 cm", "kg/s", 1, needs_flow_rate, false}},
@@ -141,6 +141,13 @@ static const needs_switch *switch_of(const needs_runs *r, int variant) {
     return variant > 0 ? &r->scene->without[variant - 1] : &NONE;
 }
 
+int needs_variant(const needs_runs *r, const char *key) {
+    int v = 0;
+    while (v < r->variants && strcmp(switch_of(r, v)->key, key)) v++;
+    CLAST_ASSERT(v < r->variants);
+    return v;
+}
+
 /* The last of two settings of one name wins. */
 static void set_parameter(void *context, char *name, const char *value) {
     job *j = context;
@@ -165,6 +172,7 @@ static void plan_job(const needs_study *s, const needs_runs *r, int leg, int var
     each(of->set, j, set_parameter);
     if (s->size.quick) each(of->quick, j, set_parameter);
     each(switch_of(r, variant)->set, j, set_parameter);
+    if (k == 0 && of->drawn) each(of->drawn, j, set_parameter);
     if (leg == 0)
         job_set(j, "seed=%d", k + 1);
     else

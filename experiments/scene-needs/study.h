@@ -1,8 +1,8 @@
 /* study.h - which scenes run without which features, and what is read from them.
  *
  * plan.c has the tables of scenes and switches and writes the scene files, runs.c runs them,
- * measure.c reads one run, compare.c sets pairs of runs against each other, tables.c and verdicts.c
- * write the results. */
+ * measure.c reads one run, compare.c sets pairs of runs against each other, tables.c, pictures.c
+ * and verdicts.c write the results. */
 #ifndef CLAST_SCENE_NEEDS_STUDY_H
 #define CLAST_SCENE_NEEDS_STUDY_H
 
@@ -32,6 +32,7 @@ typedef struct needs_leg {
     const char *set;   /* of every run */
     const char *quick; /* at the size `quick`, on top of that */
     const char *put;
+    const char *drawn; /* of the first replicate, which is drawn; NULL: it is not */
 } needs_leg;
 
 typedef double needs_read(const csv *series);
@@ -98,6 +99,9 @@ typedef struct needs_values {
 
 needs_values needs_read_values(const needs_runs *r, int observable, int variant);
 
+/* Place of the switch with that key among the variants, or of "reference". */
+int needs_variant(const needs_runs *r, const char *key);
+
 need needs_compare(const needs_runs *r, int observable, int variant);
 
 /* The same differences in per cent, with their scatter. */
@@ -105,6 +109,9 @@ interval needs_difference(const needs_runs *r, int observable, int variant);
 
 /* tables.c: 0, or 4 when a file cannot be written. */
 int needs_write_tables(const needs_study *s);
+
+/* pictures.c: frames of the heap and the silo; 0, or what `clast render` ended with. */
+int needs_pictures(const needs_study *s);
 
 /* verdicts.c: exit code of verdict_finish(). */
 int needs_verdicts(const needs_study *s, const char *path);

@@ -20,13 +20,6 @@ static const needs_runs *runs_of(const court *c, const char *name) {
     clast_panic(__FILE__, __LINE__, name);
 }
 
-static int variant_of(const needs_runs *r, const char *key) {
-    int v = 1;
-    while (v < r->variants && strcmp(r->scene->without[v - 1].key, key)) v++;
-    CLAST_ASSERT(v < r->variants);
-    return v;
-}
-
 /* "SCENE: OBSERVABLE WORDS": per cent of the mean of the scene as it stands. */
 static void judge(const court *c, const char *name, int observable, const char *key,
                   const char *words) {
@@ -36,7 +29,7 @@ static void judge(const court *c, const char *name, int observable, const char *
              words);
     const published *p = published_find(c->published, quantity);
     if (!p) clast_panic(__FILE__, __LINE__, quantity);
-    verdict_published(c->table, p, needs_difference(r, observable, variant_of(r, key)), true);
+    verdict_published(c->table, p, needs_difference(r, observable, needs_variant(r, key)), true);
 }
 
 int needs_verdicts(const needs_study *s, const char *path) {
