@@ -28,7 +28,7 @@ chart_cost cost_of(double *samples, int n) {
 
 chart_cost cost_measure(work_pass *pass, const void *what, double least, double *evaluations) {
     CLAST_ASSERT(pass && least >= 0 && evaluations);
-    double samples[COST_BATCHES], forces = 0, simulated = 0;
+    double samples[COST_BATCHES];
     int passes = 0, batches = least > 0 ? COST_BATCHES : 1;
     for (int k = 0; k < batches; k++) {
         work_done batch = {0, 0, 0};
@@ -36,11 +36,9 @@ chart_cost cost_measure(work_pass *pass, const void *what, double least, double 
             work_done one = pass(what, passes++);
             batch.seconds += one.seconds;
             batch.simulated += one.simulated;
-            forces += one.evaluations;
+            if (passes == 1) *evaluations = one.evaluations / one.simulated; /* all are alike */
         } while (batch.seconds < least / COST_BATCHES);
         samples[k] = batch.seconds / batch.simulated;
-        simulated += batch.simulated;
     }
-    *evaluations = forces / simulated;
     return cost_of(samples, least > 0 ? batches : 0);
 }
