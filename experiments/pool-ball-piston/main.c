@@ -19,8 +19,14 @@ static const piston_size SIZES[] = {
     [STUDY_QUICK] = {.fraction = "0.5",
                      .replicates = {[SECTION_BASE] = 7, [SECTION_RIG] = 5},
                      .trials = 500},
-    [STUDY_PUBLISHED] = {.fraction = "0.1", .replicates = {20, 5, 5, 5, 5, 5}, .trials = 5000},
-    [STUDY_FULL] = {.fraction = "0.1", .replicates = {100, 20, 20, 20, 20, 20}, .trials = 20000},
+    [STUDY_PUBLISHED] = {.fraction = "0.1",
+                         .replicates = {20, 5, 5, 5, 5, 5},
+                         .arrangements = 20,
+                         .trials = 5000},
+    [STUDY_FULL] = {.fraction = "0.1",
+                    .replicates = {100, 20, 20, 20, 20, 20},
+                    .arrangements = 100,
+                    .trials = 20000},
 };
 
 static void open_study(piston_study *s, study_size size) {
@@ -53,6 +59,7 @@ int main(int argc, char **argv) {
     if (!s) abort();
     open_study(s, command.size);
     int failed = piston_run_all(s, jobs_processes());
+    failed += piston_arches(s, jobs_processes());
     if (failed) fprintf(stderr, "pool-ball-piston: %d runs failed\n", failed);
     int code = report(s, &command);
     free(s);

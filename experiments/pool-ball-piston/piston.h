@@ -54,8 +54,7 @@ bool bed_read(const char *folder, const rig *r, particle bed[PARTICLES]);
 #define ERROR_ANGLE    0.0174532925199433 /* rad, a degree */
 
 /* Changes the bed by errors of that many times these, which depend on the replicate alone (along y
- * only where the run is not flat), and lifts all particles out of the wedge, away from the point
- * where its slopes would meet, until nothing overlaps. */
+ * only where the run is not flat); then what overlaps gives way. */
 void bed_lay_by_hand(const rig *r, double errors, bool flat, int replicate,
                      particle bed[PARTICLES]);
 
@@ -170,10 +169,22 @@ typedef struct group {
     const track **list; /* pointers to tracks */
 } group;
 
+/* ---- arches ---------------------------------------------------------------------------------- */
+
+enum { SLOPES = 2, ARCH_ABOVE = 2 };
+
+extern const char *const SLOPE_NAME[SLOPES];
+
+typedef struct arch_row {
+    int runs, held; /* more than ARCH_ABOVE particles are above the throat in the end */
+    int above;      /* particles there, all runs together */
+} arch_row;
+
 typedef struct piston_size {
     const char *fraction; /* of the critical step, where a group does not say its own */
     int replicates[SECTIONS];
-    int trials; /* of Monte Carlo */
+    int arrangements; /* beds of which arches are counted */
+    int trials;       /* of Monte Carlo */
 } piston_size;
 
 typedef struct piston_study {
@@ -182,10 +193,14 @@ typedef struct piston_study {
     char root[500], data[560]; /* folders */
     group groups[GROUPS_MAX];
     int count;
+    arch_row arches[SLOPES][FRICTIONS];
 } piston_study;
 
 /* Runs all, reads all tracks; number of failed runs. */
 int piston_run_all(piston_study *s, int processes);
+
+/* Runs and counts; number of failed runs. */
+int piston_arches(piston_study *s, int processes);
 
 /* The n-th group of a section; NULL when the size has none or a run of it failed. */
 const group *piston_group(const piston_study *s, section which, int n);

@@ -107,25 +107,52 @@ static void spoil(const rig *r, double errors, bool flat, int replicate, particl
     }
 }
 
-/* Away from where the slopes would meet, every particle moves away from every other and from both
- * slopes and the piston. */
-static void lift(const rig *r, double factor, const particle from[PARTICLES],
-                 particle to[PARTICLES]) {
-    double apex = CM * (RIG_THROAT - RIG_COLUMN / 2 * (r->top - RIG_THROAT) / RIG_RUN);
-    for (int i = 0; i < PARTICLES; i++) {
-        to[i] = from[i];
-        to[i].x *= factor;
-        to[i].z = apex + factor * (from[i].z - apex);
+/* ---- nothing overlaps ------------------------------------------------------------------------ */
+
+static const double MARGIN = 1e-9; /* m: of what is pushed apart */
+
+static void push(particle *p, double x, double z) {
+    p->x += x, p->z += z;
+}
+
+static void push_from_walls(const rig *r, particle *p) {
+    double rise = CM * (r->top - RIG_THROAT), run = CM * RIG_RUN, long_side = hypot(rise, run);
+    for (int side = 0; side < 2; side++) {
+        sphere s = sphere_of(p, side);
+        double up = s.z - CM * RIG_THROAT, out = fabs(s.x) - CM * RIG_COLUMN / 2;
+        double slope = s.radius - (up * run - out * rise) / long_side + MARGIN;
+        double inwards = s.x > 0 ? -rise / long_side : rise / long_side;
+        if (slope > MARGIN) push(p, slope * inwards, slope * run / long_side);
+        if (s.radius > up) push(p, 0, s.radius - up + MARGIN);
     }
+}
+
+static void push_apart(particle *a, particle *b) {
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            sphere u = sphere_of(a, i), v = sphere_of(b, j);
+            double dx = v.x - u.x, dz = v.z - u.z, flat = hypot(dx, dz);
+            double overlap = u.radius + v.radius - hypot(flat, v.y - u.y);
+            if (overlap <= 0) continue;
+            double half = (overlap / 2 + MARGIN) / flat;
+            push(a, -half * dx, -half * dz);
+            push(b, half * dx, half * dz);
+        }
+}
+
+/* Each particle gives way to its neighbours, half the overlap each, and to the walls, until all
+ * have room: the V is open above. */
+static void make_room(const rig *r, particle bed[PARTICLES]) {
+    enum { ROUNDS = 100000 };
+    for (int round = 0; round < ROUNDS && bed_clearance(r, bed) < 0; round++)
+        for (int i = 0; i < PARTICLES; i++) {
+            for (int j = 0; j < i; j++) push_apart(&bed[i], &bed[j]);
+            push_from_walls(r, &bed[i]);
+        }
 }
 
 void bed_lay_by_hand(const rig *r, double errors, bool flat, int replicate,
                      particle bed[PARTICLES]) {
-    enum { STEPS = 100000 };
-    static const double STEP = 2e-6;
-    particle spoiled[PARTICLES];
     spoil(r, errors, flat, replicate, bed);
-    for (int i = 0; i < PARTICLES; i++) spoiled[i] = bed[i];
-    for (int i = 1; i < STEPS && bed_clearance(r, bed) < 0; i++)
-        lift(r, 1 + STEP * i, spoiled, bed);
+    make_room(r, bed);
 }

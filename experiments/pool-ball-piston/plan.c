@@ -52,7 +52,7 @@ static const group_def GROUPS[] = {
      1},
     {SECTION_ASSUMPTION, "particle", "150.4 g (DENS 1.8)", "mass=150.4 g", "", "", "", INPUT, 1},
     {SECTION_ASSUMPTION, "arrangement", "seed 1", "", "seed=1", "", "", INPUT, 1},
-    {SECTION_ASSUMPTION, "arrangement", "seed 3", "", "seed=3", "", "", INPUT, 1},
+    {SECTION_ASSUMPTION, "arrangement", "seed 2", "", "seed=2", "", "", INPUT, 1},
     {SECTION_ASSUMPTION, "arrangement", "4 columns", "", "columns=4", "", "", INPUT, 1},
     {SECTION_ASSUMPTION, "restitution while settling", "0.85", "", "restitution=0.85", "", "",
      INPUT, 1},

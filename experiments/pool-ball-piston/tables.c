@@ -168,6 +168,18 @@ static int write_growth(const piston_study *s) {
     return output_close(f) | output_close(r);
 }
 
+static int write_arches(const piston_study *s) {
+    FILE *f = output_table(s->data, "arches.csv", "slopes,friction,runs,held,mean_above");
+    if (!f) return 4;
+    for (int i = 0; i < SLOPES * FRICTIONS; i++) {
+        const arch_row *r = &s->arches[i / FRICTIONS][i % FRICTIONS];
+        if (r->runs > 0)
+            fprintf(f, "%s,%g,%d,%d,%.2f\n", SLOPE_NAME[i / FRICTIONS], FRICTION[i % FRICTIONS],
+                    r->runs, r->held, (double)r->above / r->runs);
+    }
+    return output_close(f);
+}
+
 static int write_assumptions(const piston_study *s, const piston_summary *m) {
     FILE *f = output_table(s->data, "assumptions.csv",
                            "assumption,variant,replicates,distance_mm,p,score,own_score,model_mm,"
@@ -210,6 +222,6 @@ static int write_about(const piston_study *s, const piston_summary *m) {
 int piston_write_tables(const piston_study *s, const piston_summary *m) {
     int bad = write_tracks(s) | write_limits(s) | write_outline(s) | write_scores(s, m);
     bad |= write_null(s, &m->null) | write_friction(s, m) | write_growth(s);
-    bad |= write_assumptions(s, m) | write_about(s, m);
+    bad |= write_arches(s) | write_assumptions(s, m) | write_about(s, m);
     return bad ? 4 : 0;
 }

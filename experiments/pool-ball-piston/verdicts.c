@@ -151,6 +151,15 @@ static void print_groups(const piston_study *s, const piston_summary *m) {
     }
 }
 
+static void print_arches(const piston_study *s) {
+    for (int i = 0; i < SLOPES * FRICTIONS; i++) {
+        const arch_row *r = &s->arches[i / FRICTIONS][i % FRICTIONS];
+        if (r->runs > 0)
+            printf("slopes of %s, friction %-4g: %d of %d arrangements end in an arch\n",
+                   SLOPE_NAME[i / FRICTIONS], FRICTION[i % FRICTIONS], r->held, r->runs);
+    }
+}
+
 int piston_verdicts(const piston_study *s, const piston_summary *m, const char *csv) {
     char why[PUBLISHED_ERROR_MAX];
     court c = {published_read(SCENES "/published.csv", why), verdict_new("pool-ball-piston")};
@@ -166,6 +175,7 @@ int piston_verdicts(const piston_study *s, const piston_summary *m, const char *
     print_null(&m->null);
     print_friction(m);
     print_groups(s, m);
+    print_arches(s);
     int code = verdict_finish(c.table, csv, stdout);
     verdict_free(c.table);
     published_free(c.numbers);

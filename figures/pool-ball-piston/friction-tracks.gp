@@ -16,6 +16,6 @@ do for [i=1:4] {
     if (i > 1) { set format y ''; unset label 999 }
     set label 1 'friction '.name_of[i] at graph 0.5,1.04 center tc rgb ink
     plot walls using 2:3 with lines lw 1.2 lc rgb ink, \
-         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.2 dt (p > 5 ? 2 : 1) lc rgb of(p)
+         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.2 dt 1 + (p > 5) lc rgb of(p)
 }
 unset multiplot

@@ -16,6 +16,6 @@ do for [i=1:2] {
     set label 1 name_of[i] at first 0,54 center tc rgb ink
     plot walls using 2:3 with lines lw 1.4 lc rgb ink, \
          for [p=1:10] for [r=1:5] path(set_of[i], r, p) using 5:6 with lines lw 0.4 lc rgb of(p), \
-         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.8 dt (p > 5 ? 2 : 1) lc rgb of(p)
+         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.8 dt 1 + (p > 5) lc rgb of(p)
 }
 unset multiplot
