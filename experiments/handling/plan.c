@@ -18,36 +18,31 @@ const handling_size SIZES[3] = {
 };
 
 /* Young's modulus of the button and of chapter 5, with the Rayleigh step that belongs to it. */
-#define SOFT "young=3.5 GPa"
+#define SOFT   "young=3.5 GPa"
+#define SHARED "clump=shared"
 
+/* Rows of tables read better as they stand here: */
+/* clang-format off */
 const variant VARIANTS[] = {
     {KINDS, "(baseline)", "", {NULL}, {NULL}, 0},
     {TAPERED, "Young's modulus", "3.5 GPa", {NULL}, {SOFT, "step=19.6 us"}, 0},
     {TAPERED, "time step", "a tenth", {NULL}, {"step=1.19 us"}, 0},
-    {TAPERED,
-     "spheres 7 and 14",
-     "where the cone has them",
-     {NULL},
-     {"seventh=0.79 cm", "fourteenth=5.76 cm"},
-     0},
+    {TAPERED, "spheres 7 and 14", "where the cone has them", {NULL},
+     {"seventh=0.79 cm", "fourteenth=5.76 cm"}, 0},
     {TAPERED, "centre of mass", "of the union", {NULL}, {"offset=2.56 mm"}, 0},
-    {IRREGULAR,
-     "Young's modulus",
-     "3.5 GPa",
-     {SOFT, "step=82.4 us"},
-     {SOFT, "step=82.4 us", "sample=82.4 us"},
-     0},
+    {TAPERED, "damping of clumps", "shared", {NULL}, {SHARED}, 0},
+    {IRREGULAR, "Young's modulus", "3.5 GPa", {SOFT, "step=82.4 us"},
+     {SOFT, "step=82.4 us", "sample=82.4 us"}, 0},
     {IRREGULAR, "time step", "a tenth", {NULL}, {"step=5 us", "sample=50 us"}, 0},
-    {IRREGULAR,
-     "centre of mass",
-     "of the union",
-     {"offset=3.22 mm"},
-     {"offset=3.22 mm", "sample=50 us"},
-     0},
+    {IRREGULAR, "centre of mass", "of the union", {"offset=3.22 mm"},
+     {"offset=3.22 mm", "sample=50 us"}, 0},
+    {IRREGULAR, "damping of clumps", "shared", {SHARED}, {SHARED, "sample=50 us"}, 0},
     {BUNCH, "Young's modulus", "3.5 GPa", {SOFT, "step=19.6 us"}, {SOFT, "step=19.6 us"}, 0},
     {BUNCH, "orifice while settling", "open", {"opened=1 us"}, {NULL}, 0},
+    {BUNCH, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
     {SINGULATION, "Young's modulus", "3.5 GPa", {SOFT, "step=84 us"}, {SOFT, "step=84 us"}, 0},
     {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=never"}, 0},
+    {SINGULATION, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
     {DISC, "one sphere", "as cut", {NULL}, {"count=1"}, 0},
     {DISC, "one sphere", "8 x 8 cells", {NULL}, {"count=1"}, 8},
     {DISC, "one sphere", "16 x 16 cells", {NULL}, {"count=1"}, 16},
@@ -58,7 +53,9 @@ const variant VARIANTS[] = {
     {BIN, "friction while settling", "0.5", {"friction=0.5", "wall_friction=0.5"}, {NULL}, 0},
     {BIN, "friction while flowing", "0.2", {NULL}, {"friction=0.2", "wall_friction=0.2"}, 0},
     {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=never"}, 0},
+    {BIN, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
 };
+/* clang-format on */
 const int VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS;
 
 /* ---- jobs ------------------------------------------------------------------------------------ */
