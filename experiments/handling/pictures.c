@@ -44,18 +44,15 @@ static double time_of(const handling_study *s, const still *one) {
 
 /* The shape in the middle, as A00 Fig. 3.30 shows its case 3: at rest, in flow, at the end. */
 static int pictures_of_bin(const handling_study *s) {
-    const handling_run *run = run_of(s, BIN, 0, 0);
-    for (int i = 0; i < s->run_count; i++)
-        if (s->runs[i].kind == BIN && s->runs[i].ran && s->runs[i].shape == SHAPES / 2 &&
-            s->runs[i].variant == 0 && s->runs[i].replicate == 0 && s->runs[i].orifice == 0)
-            run = &s->runs[i];
+    const handling_run *run = flow_of(s, 0, SHAPES / 2, 0, 0);
     return take(s, run, 0, "bin-1", "initial-height") |
            take(s, run, 0.2, "bin-2", "initial-height") |
            take(s, run, 1e9, "bin-3", "initial-height");
 }
 
 static int film(const handling_study *s, scene_kind kind) {
-    const handling_run *run = run_of(s, kind, 0, 0);
+    const handling_run *run =
+        kind == BIN ? flow_of(s, 0, SHAPES / 2, ORIFICES - 1, 0) : run_of(s, kind, 0, 0);
     return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind], "speed") : 0;
 }
 
