@@ -93,13 +93,14 @@ static int write_scores(const piston_study *s, const piston_summary *m) {
     return output_close(f);
 }
 
+/* Bins as wide as one of thirty points, the least that a score of whole tracks can change by. */
 static void write_histogram(FILE *f, const char *kind, const char *how, const double *sorted,
                             int n) {
-    enum { BIN = 2 };
-    for (int low = 0; sorted && low <= 100; low += BIN) {
-        double part =
-            part_at_least(sorted, n, low - 1e-9) - part_at_least(sorted, n, low + BIN - 1e-9);
-        if (part > 0) fprintf(f, "%s,%s,%d,%.6f\n", kind, how, low, part);
+    enum { BINS = PARTICLES * ITEMS };
+    for (int i = 0; sorted && i <= BINS; i++) {
+        double from = 100 * (i - 0.5) / BINS, to = 100 * (i + 0.5) / BINS;
+        fprintf(f, "%s,%s,%.3f,%.6f\n", kind, how, 100.0 * i / BINS,
+                part_at_least(sorted, n, from) - part_at_least(sorted, n, to));
     }
 }
 

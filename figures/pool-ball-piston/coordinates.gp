@@ -2,7 +2,7 @@
 # counterpart: A00 Fig. 4.7
 # needs: limits.csv scores.csv
 # caption: Position against time of the particle with the highest (left) and the lowest (right) agreement score. Pale: least and most of five replicates; darker: the 95 % interval of their mean; black: the model.
-width = 17; height = 10.4
+width = 17; height = 10.9
 load style
 load tools.'/pool-ball-piston/limits.gpi'
 extreme(sign) = system(sprintf("awk -F, 'NR > 1 && (n == 0 || %d * $6 > %d * best) { best = $6; n = $1 } END { print n }' '%s/scores.csv'", sign, sign, data)) + 0

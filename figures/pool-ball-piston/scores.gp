@@ -13,6 +13,6 @@ new = level('new draw'); exact = level('exact mean')
 set label 1 'exact mean' at graph 1.01,first exact tc rgb faint
 set label 2 'new draw' at graph 1.01,first new tc rgb faint
 plot exact with lines lw 0.8 dt 2 lc rgb faint notitle, new with lines lw 0.8 dt 2 lc rgb faint notitle, \
-     rows('scores', '1') using ($1-0.15):8 with points pt 5 ps 1.0 lc rgb thesis title 'thesis, against its experiment', \
-     rows('scores', '1') using ($1):6 with points pt 7 ps 1.1 lc rgb ours title 'ours, against our ensemble', \
-     rows('scores', '1') using ($1+0.15):7 with points pt 6 ps 1.1 lw 1.1 lc rgb ours title 'against static friction'
+     rows('scores', '1') using ($1-0.15):8 with points pt 5 ps 1.0 lc rgb thesis title 'thesis', \
+     rows('scores', '1') using ($1):6 with points pt 7 ps 1.1 lc rgb ours title 'ours', \
+     rows('scores', '1') using ($1+0.15):7 with points pt 6 ps 1.1 lw 1.1 lc rgb ours title 'ours, against static friction'
