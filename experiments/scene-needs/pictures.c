@@ -13,7 +13,7 @@ static const struct {
 } PICTURES[] = {
     {0, "reference", "heap", 1e9},      {0, "history", "heap-history", 1e9},
     {0, "still", "heap-rotation", 1e9}, {0, "rolling", "heap-rolling", 1e9},
-    {0, "layer", "heap-layer", 1e9},    {1, "reference", "silo", 1.0},
+    {0, "layer", "heap-layer", 1e9},    {1, "reference", "silo", 0.9},
 };
 
 int needs_pictures(const needs_study *s) {

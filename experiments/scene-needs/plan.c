@@ -71,9 +71,10 @@ const needs_scene NEEDS_SCENES[SCENES_COUNT] = {
      .without = SPHERE_SWITCHES},
     {.name = "button hopper",
      .legs = 2,
-     .leg = {{"button-hopper/fill.yaml", "friction=0.2;wall_friction=0.2;columns=10;step=4.5 us",
+     .leg = {{"button-hopper/fill.yaml",
+              "friction=0.2;wall_friction=0.2;columns=10;step=4.5 us;settle=1 s",
               "young=175 MPa;step=30 us;settle=0.4 s", "output.frames=none", NULL},
-             {"button-hopper/discharge.yaml", "orifice=10 cm;step=4.5 us;latest=0.8 s",
+             {"button-hopper/discharge.yaml", "orifice=10 cm;step=4.5 us;latest=0.6 s",
               "young=175 MPa;step=30 us;latest=0.3 s", "output.frames=none", NULL}},
      .observables = 2,
      .observable = {{"solid fraction at rest", "-", 0, needs_solid_fraction, false},
@@ -220,15 +221,14 @@ static void run_leg(needs_study *s, int leg) {
     job **home = calloc(SCENES_COUNT * VARIANTS_MAX * REPLICATES_MAX, sizeof *home);
     CLAST_ASSERT(all && home);
     int count = 0;
-    for (int i = 0; i < SCENES_COUNT; i++) {
-        const needs_runs *r = &s->runs[i];
-        for (int k = 0; k < r->variants * r->replicates; k++) {
-            if (!can_run(r, leg, k)) continue;
+    for (int k = 0; k < VARIANTS_MAX * REPLICATES_MAX; k++)
+        for (int i = 0; i < SCENES_COUNT; i++) {
+            const needs_runs *r = &s->runs[i];
+            if (k >= r->variants * r->replicates || !can_run(r, leg, k)) continue;
             home[count] = &r->jobs[leg][k];
             all[count] = *home[count];
             count++;
         }
-    }
     jobs_run(all, count, s->processes, leg ? "second leg" : "first leg");
     for (int i = 0; i < count; i++) *home[i] = all[i];
     free(home);
