@@ -37,7 +37,7 @@
 
 enum { SHAPES = 5, ORIFICES = 4, REPLICATES_MAX = 40, RUNS_MAX = 1200 };
 
-typedef enum scene_kind { TAPERED, IRREGULAR, BUNCH, SINGULATION, DISC, BIN, KINDS } scene_kind;
+typedef enum scene_kind { TAPERED, IRREGULAR, BUNCH, SINGULATION, DISC, BIN, MIXTURE, KINDS } scene_kind;
 extern const char *const KIND_NAME[KINDS];
 extern const double ASPECT[SHAPES];       /* ours: Fig. 3.29 alone has those of the source */
 extern const double ORIFICE_CM[ORIFICES]; /* the first is the source's */

@@ -26,6 +26,7 @@ static const still STILLS[] = {
     {SINGULATION, 3.0, "singulation-2"},
     {SINGULATION, 5.5, "singulation-3"},
     {DISC, 2.0, "disc"},
+    {MIXTURE, 1e9, "mixture"},
 };
 
 static int take(const handling_study *s, const handling_run *run, double time, const char *name,
@@ -53,14 +54,16 @@ static int pictures_of_bin(const handling_study *s) {
 static int film(const handling_study *s, scene_kind kind) {
     const handling_run *run =
         kind == BIN ? flow_of(s, 0, SHAPES / 2, ORIFICES - 1, 0) : run_of(s, kind, 0, 0);
-    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind], "speed") : 0;
+    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind],
+                               kind == MIXTURE ? "body" : "speed")
+               : 0;
 }
 
 int handling_pictures(const handling_study *s) {
     int bad = pictures_of_bin(s);
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
         bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), time_of(s, &STILLS[i]), STILLS[i].name,
-                    "speed");
+                    STILLS[i].kind == MIXTURE ? "body" : "speed");
     bool small = s->size->shapes == 1; /* films take as long as all runs of the quick size */
     for (int kind = 0; kind < KINDS && !small; kind++) bad |= film(s, (scene_kind)kind);
     return bad ? 4 : 0;

@@ -5,16 +5,16 @@
 #include "engine/check.h"
 #include "experiments/handling/handling.h"
 
-const char *const KIND_NAME[KINDS] = {"tapered",     "irregular", "bunch",
-                                      "singulation", "disc",      "bin"};
+const char *const KIND_NAME[KINDS] = {"tapered", "irregular", "bunch",  "singulation",
+                                      "disc",    "bin",       "mixture"};
 const double ORIFICE_CM[ORIFICES] = {5, 6, 7, 8};
 
 enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
 
 const handling_size SIZES[3] = {
-    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1}, 1, 1, 8, 1},
-    [STUDY_PUBLISHED] = {"published", {20, 10, 5, 5, 1, 5}, SHAPES, ORIFICES, 32, 5},
-    [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20}, SHAPES, ORIFICES, 32, 20},
+    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 1},
+    [STUDY_PUBLISHED] = {"published", {20, 10, 5, 5, 1, 5, 1}, SHAPES, ORIFICES, 32, 5},
+    [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20, 1}, SHAPES, ORIFICES, 32, 20},
 };
 
 /* Young's modulus of the button and of chapter 5, with the Rayleigh step that belongs to it. */
@@ -65,13 +65,15 @@ static const char *const BED_SCENE[KINDS] = {NULL,
                                              SCENES "/bunch-settle.yaml",
                                              SCENES "/singulation-fill.yaml",
                                              NULL,
-                                             SCENES "/bin-fill.yaml"};
+                                             SCENES "/bin-fill.yaml",
+                                             NULL};
 static const char *const SCENE[KINDS] = {SCENES "/tapered.yaml",
                                          SCENES "/irregular.yaml",
                                          SCENES "/bunch.yaml",
                                          SCENES "/singulation.yaml",
                                          NULL,
-                                         SCENES "/bin-flow.yaml"};
+                                         SCENES "/bin-flow.yaml",
+                                         SCENES "/mixture.yaml"};
 
 static void set_all(job *j, const char *const *settings) {
     for (int i = 0; i < 3 && settings[i]; i++) job_set(j, "%s", settings[i]);
