@@ -41,7 +41,7 @@ static const needs_switch SPHERE_SWITCHES[] = {
     {NEED_ROLLING, "rolling", "rolling_friction: 0", "rolling=0", "", 0},
     ELASTIC,
     {NEED_DEPTH, "layer", "one layer: motion in-plane y", "layers=1;half_depth=0 mm;sheet=0",
-     "motion=in-plane y", 6},
+     "motion=in-plane y", 4},
     LINEAR,
     PRECISION,
 };
