@@ -31,7 +31,6 @@ typedef struct pass {
     law_choice choice;
     contact_tally tally;
     sharing sharing;
-    double whole_mass; /* kg, effective, where it is the same for all contacts */
     real aside[HISTORY_COLUMNS][GROUP];
     batch b;
     wall_batch l;
@@ -72,11 +71,10 @@ static void fill_constants(pass *p) {
     const pair_coef *c = &w->coefs[first->material * w->material_count + other];
     double effective = p->with_walls ? 1 : 0.5; /* of radius and mass */
     batch *b = &p->b;
-    p->whole_mass = effective * first->mass;
     int lanes = p->list->count < LANES - GROUP ? (int)p->list->count + GROUP : LANES;
     for (int i = 0; i < lanes; i++) {
         b->ra[i] = b->rb[i] = r;
-        b->radius[i] = (real)(effective * r), b->mass[i] = (real)p->whole_mass;
+        b->radius[i] = (real)(effective * r), b->mass[i] = (real)(effective * first->mass);
         b->per_small[i] = 1 / r;
         fill_coefficients(b, i, c);
         b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
@@ -632,7 +630,7 @@ LANE_INLINE void share_dashpots(pass *p, size_t begin, int count, int padded, la
     shared_batch *g = &s->batch[(begin - s->begin) / LANES];
     batch *b = &p->b;
     if (is_uniform(p)) {
-        for (int i = 0; i < padded; i++) b->mass[i] = (real)p->whole_mass;
+        for (int i = 0; i < padded; i++) b->mass[i] = s->whole_mass;
     }
 #pragma omp simd
     for (int i = 0; i < padded; i++) shared_mass_lane(b, g, i, need);
@@ -706,6 +704,7 @@ static void run(pass *p) {
                            .groups = &p->s->groups[p->with_walls],
                            .batch = p->s->batches};
     fill_constants(p);
+    p->sharing.whole_mass = p->b.mass[0];
     if (need->linear && need->flat)
         run_linear(p, true);
     else if (need->linear)

@@ -37,6 +37,7 @@ typedef struct sharing {
     size_t next;         /* group */
     size_t begin, end;   /* entries whose groups are whole */
     shared_batch *batch; /* of the entries from begin on */
+    real whole_mass;     /* kg, effective, where it is the same for all contacts */
 } sharing;
 
 /* ---- batches --------------------------------------------------------------------------------- */
