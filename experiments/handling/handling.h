@@ -35,7 +35,7 @@
 #define COLLISION_GAP 1e-3 /* s without contact between two collisions */
 #define QUIET_FOR     0.2  /* s without a discharge at the end of a run: its flow has stopped */
 
-enum { SHAPES = 5, ORIFICES = 4, REPLICATES_MAX = 40, RUNS_MAX = 1200 };
+enum { SHAPES = 5, ORIFICES = 3, REPLICATES_MAX = 40, RUNS_MAX = 1200 };
 
 typedef enum scene_kind { TAPERED, IRREGULAR, BUNCH, SINGULATION, DISC, BIN, MIXTURE, KINDS } scene_kind;
 extern const char *const KIND_NAME[KINDS];

@@ -7,13 +7,13 @@
 
 const char *const KIND_NAME[KINDS] = {"tapered", "irregular", "bunch",  "singulation",
                                       "disc",    "bin",       "mixture"};
-const double ORIFICE_CM[ORIFICES] = {5, 6, 7, 8};
+const double ORIFICE_CM[ORIFICES] = {5, 6.5, 8};
 
 enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
 
 const handling_size SIZES[3] = {
     [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 1},
-    [STUDY_PUBLISHED] = {"published", {20, 10, 5, 5, 1, 5, 1}, SHAPES, ORIFICES, 32, 5},
+    [STUDY_PUBLISHED] = {"published", {20, 10, 4, 4, 1, 5, 1}, SHAPES, ORIFICES, 32, 3},
     [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20, 1}, SHAPES, ORIFICES, 32, 20},
 };
 
