@@ -62,7 +62,7 @@ typedef struct setting {
     double belt;         /* m/s along +x, of the floor */
     bool weightless;
     bool in_plane;       /* bodies move in x and z and turn about y */
-    bool shared;         /* one dashpot for all spheres that touch; needs clumps_can_share() */
+    bool shared;         /* one dashpot for all spheres that touch, else each its own */
     bool mixed;          /* precision */
     bool stiff_wall;     /* the floor is a thousand times stiffer than the particle */
     bool guards_look_on; /* runs with steps that are too large on purpose */
@@ -77,8 +77,6 @@ void world_step(clast_world *w); /* the next, or an end of the program with the 
 void world_end(clast_world *w);
 uint64_t checks_hash(void);
 void checks_hash_add(uint64_t hash); /* of a run in another process */
-
-bool clumps_can_share(void);
 
 /* The axis of a capsule along z. */
 clast_quat upright(void);

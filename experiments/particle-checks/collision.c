@@ -42,9 +42,10 @@ typedef struct watch {
 } watch;
 
 static void write_point(const watch *k, clast_world *w, const touch *t, double rise) {
-    fprintf(k->trace, "%s,%.8g,%.8g,%.6g,%.6g,%d\n", k->c->horizontal ? "horizontal" : "vertical",
-            clast_world_time(w), rise, t->force.z,
-            t->contacts ? t->force.z / (k->c->horizontal ? 2 : 1) : 0, k->collisions);
+    const char *name = k->c->shared ? "shared" : k->c->horizontal ? "horizontal" : "vertical";
+    double each = t->contacts > 0 ? t->force.z / t->contacts : 0;
+    fprintf(k->trace, "%s,%.8g,%.8g,%.6g,%.6g,%d\n", name, clast_world_time(w), rise, t->force.z,
+            each, k->collisions);
 }
 
 /* Of the first collision every step is drawn, of the flights every hundredth. */

@@ -90,10 +90,6 @@ clast_quat upright(void) {
 
 /* ---- the world ------------------------------------------------------------------------------- */
 
-bool clumps_can_share(void) {
-    return false;
-}
-
 static clast_vec3 gravity_of(const setting *s) {
     if (s->weightless) return (clast_vec3){0, 0, 0};
     return (clast_vec3){GRAVITY * sin(s->slope), 0, -GRAVITY * cos(s->slope)};
@@ -103,12 +99,12 @@ static clast_world *world_of(const setting *s) {
     clast_world_def d = clast_world_def_default();
     d.gravity = gravity_of(s);
     d.law = s->law;
+    d.clump_contact = s->shared ? CLAST_CLUMP_SHARED : CLAST_CLUMP_EACH;
     d.time_step = s->step;
     d.impact_speed = 1;
     d.threads = 1;
     if (s->in_plane) d.motion = CLAST_MOTION_IN_PLANE;
     if (s->mixed) d.precision = CLAST_PRECISION_MIXED;
-    if (s->shared && !clumps_can_share()) stop("this engine has no shared dashpots");
     if (s->guards_look_on) {
         d.guards = CLAST_GUARD_REPORT;
         d.max_overlap = d.max_displacement = d.max_residual = 1e9;

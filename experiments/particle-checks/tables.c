@@ -49,9 +49,12 @@ static int write_collision(const folder *d) {
     FILE *f = output_table(d->path, "collision.csv",
                            "orientation,time_s,rise_m,force_n,force_per_contact_n,collisions");
     if (!f) return 4;
-    for (int i = 0; i < 2; i++) {
-        drop_case c = {
-            .horizontal = i, .damping = DROP_DAMPING, .step = DROP_STEP, .height = DROP_HEIGHT};
+    for (int i = 0; i < 3; i++) {
+        drop_case c = {.horizontal = i > 0,
+                       .damping = DROP_DAMPING,
+                       .step = DROP_STEP,
+                       .height = DROP_HEIGHT,
+                       .shared = i == 2};
         drop_run(&c, f);
     }
     return output_close(f);
@@ -136,8 +139,8 @@ static int write_slides(const folder *d) {
         slide_case c = slide_of(n, 0.3);
         c.slip_damping = 0.21;
         write_slide(f, "spheres", "each", &c);
-        c.shared = clumps_can_share();
-        if (c.shared) write_slide(f, "spheres", "shared", &c);
+        c.shared = true;
+        write_slide(f, "spheres", "shared", &c);
         c.shared = false, c.printed = true;
         write_slide(f, "spheres", "printed", &c);
         c.damping *= 0.5, c.slip_damping *= 0.5;
@@ -149,7 +152,7 @@ static int write_slides(const folder *d) {
 static int write_landing(const folder *d) {
     FILE *f = output_table(d->path, "landing.csv", "mode,spheres,rebound");
     if (!f) return 4;
-    for (int shared = 0; shared <= clumps_can_share(); shared++)
+    for (int shared = 0; shared < 2; shared++)
         for (int n = 1; n <= 9; n++)
             fprintf(f, "%s,%d,%.6g\n", shared ? "shared" : "each", n,
                     landing_rebound(n, 0.21, shared));
@@ -192,27 +195,29 @@ static int write_blows(const folder *d) {
 
 /* ---- A00 3.7 --------------------------------------------------------------------------------- */
 
-/* From the nest, as in the source, and a hundredth of a spacing out of it: at q = 1 a nest is as
- * steep as the slope. */
-static int write_pseudo_paths(const folder *d) {
-    static const double Q[3] = {1, 2, 4}, START[2] = {0, 0.01};
-    int bad = 0;
-    for (int i = 0; i < 2; i++) {
-        FILE *path = output_table(d->path, i ? "pseudo_path_off.csv" : "pseudo_path.csv",
-                                  "q,way_m,time2_s2");
-        FILE *forces = output_table(d->path, i ? "pseudo_force_off.csv" : "pseudo_force.csv",
-                                    "q,time_s,way,angle_degrees,along_n,into_n");
-        if (!path || !forces) return 4;
-        for (int k = 0; k < 3; k++) {
-            pseudo_case c = {.q = Q[k],
-                             .start = START[i],
-                             .damping = PSEUDO_DAMPING,
-                             .fraction = 0.5,
-                             .softer = 1};
-            pseudo_run(&c, path, forces);
-        }
-        bad |= output_close(path) | output_close(forces);
+/* One start for all three densities; a table is written where it has a name. */
+static int write_start(const folder *d, double start, const char *path_name,
+                       const char *force_name) {
+    static const double Q[3] = {1, 2, 4};
+    FILE *path = NULL, *forces = NULL;
+    if (path_name) path = output_table(d->path, path_name, "q,way_m,time2_s2");
+    if (force_name)
+        forces = output_table(d->path, force_name, "q,time_s,way,angle_degrees,along_n,into_n");
+    if ((path_name && !path) || (force_name && !forces)) return 4;
+    for (int k = 0; k < 3; k++) {
+        pseudo_case c = {
+            .q = Q[k], .start = start, .damping = PSEUDO_DAMPING, .fraction = 0.5, .softer = 1};
+        pseudo_run(&c, path, forces);
     }
+    return (path ? output_close(path) : 0) | (forces ? output_close(forces) : 0);
+}
+
+/* From the nest, as in the source; a hundredth of a spacing out of it, for at q = 1 a nest is as
+ * steep as the slope; from a crest. */
+static int write_pseudo_paths(const folder *d) {
+    int bad = write_start(d, 0, "pseudo_path.csv", "pseudo_force.csv");
+    bad |= write_start(d, 0.01, NULL, "pseudo_force_off.csv");
+    bad |= write_start(d, 0.5, "pseudo_path_crest.csv", NULL);
     return bad;
 }
 
@@ -288,7 +293,7 @@ static void vary_rest(FILE *f) {
     static const char *const NAME[6] = {
         "baseline",       "wall 1000 times stiffer",    "radius 1 cm",
         "radius 1.25 cm", "single precision of forces", "shared dashpot"};
-    for (int i = 0; i < 5 + clumps_can_share(); i++)
+    for (int i = 0; i < 6; i++)
         for (int k = 0; k < REST_CASES; k += 3) {
             rest_case c = REST_CASE[k];
             char what[REST_NAME];
@@ -327,7 +332,7 @@ static void vary_pseudo(FILE *f, const folder *d) {
     };
     pseudo_range *ranges = calloc((size_t)PSEUDO_QS, sizeof *ranges);
     if (!ranges) abort();
-    for (int i = 0; i < 6 + clumps_can_share(); i++) {
+    for (int i = 0; i < 7; i++) {
         int qs = pseudo_scan(d->size->variant_starts, 4, &VARIANT[i].base, ranges, NULL);
         for (int k = 0; k < qs; k++) {
             char what[80];

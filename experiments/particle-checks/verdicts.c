@@ -85,6 +85,9 @@ static void judge_drops(const court *c) {
         lying.force_most / upright_one.force_most);
     say(c, "height of the first bounce, horizontal over vertical",
         lying.bounce / upright_one.bounce);
+    base.shared = true;
+    say(c, "shared: height of the first bounce, horizontal over vertical",
+        drop_run(&base, NULL).bounce / upright_one.bounce);
 }
 
 /* ---- A00 3.4 --------------------------------------------------------------------------------- */
@@ -158,11 +161,6 @@ static void judge_mode(const court *c, bool shared) {
     char way[80], rebound[96];
     snprintf(way, sizeof way, "%s: way of 9 spheres over 3", mode);
     snprintf(rebound, sizeof rebound, "%s: rebound of a flat landing, 9 spheres over 3", mode);
-    if (shared && !clumps_can_share()) {
-        say_if_run(c, way, NAN);
-        say_if_run(c, rebound, NAN);
-        return;
-    }
     slide_case three = slide_of(3, 0.3), nine = slide_of(9, 0.3);
     three.slip_damping = nine.slip_damping = 0.21;
     three.shared = nine.shared = shared;

@@ -1,7 +1,7 @@
 # title: Upright and lying
 # counterpart: A00 Fig. 3.3
 # needs: collision.csv
-# caption: Two spheres dropped from 10 mm (assumed), damping 0.1, step 1 µs, every sphere that touches with a dashpot of its own. (a) Height of the lowest point; (b) force of the first collision in all and per contact. The lying particle loses more and bounces lower, where the source says higher.
+# caption: Two spheres dropped from 10 mm (assumed), damping 0.1, step 1 µs, every sphere that touches with a dashpot of its own. (a) Height of the lowest point; (b) force of the first collision in all and per contact. The lying particle loses more and bounces lower, where the source says higher; with one dashpot for both spheres it bounces as the upright one.
 width = 17; height = 7.5
 load style
 load tools.'/particle-checks/panels.gpi'
@@ -13,7 +13,8 @@ set lmargin at screen left(1, 2); set rmargin at screen right(1, 2)
 set label 1 letter(1) at graph 0,1.06
 set xlabel 'time (ms)'; set ylabel 'height (mm)'; set xrange [0:180]; set xtics 40; set yrange [-0.3:10.5]
 plot all('vertical') using ($2*1000):($3*1000) with lines lw 1.4 lc rgb ours title 'upright', \
-     all('horizontal') using ($2*1000):($3*1000) with lines lw 1.4 dt (6,3) lc rgb thesis title 'lying'
+     all('horizontal') using ($2*1000):($3*1000) with lines lw 1.4 dt (6,3) lc rgb thesis title 'lying', \
+     all('shared') using ($2*1000):($3*1000) with lines lw 1.4 dt (2,3) lc rgb frictional title 'lying, shared'
 unset label 999
 set lmargin at screen left(2, 2); set rmargin at screen right(2, 2)
 set label 1 letter(2)

@@ -1,7 +1,7 @@
 # title: Sliding over lobes
 # counterpart: A00 Fig. 3.17
-# needs: pseudo_path.csv pseudo_path_off.csv
-# caption: Square of the time against the way of a particle of aspect ratio 5 over others like it, no friction, 30 degrees, 1, 2 and 4 spheres per diameter; straight lines: slope of the source's friction (A00 3.13, Table 3.4). (a) From rest in a nest, as in the source: at q = 1 the nest is as steep as the slope, so the particle waits. (b) From a hundredth of a spacing downhill of it.
+# needs: pseudo_path.csv pseudo_path_crest.csv
+# caption: Square of the time against the way of a particle of aspect ratio 5 over others like it, no friction, 30 degrees, 1, 2 and 4 spheres per diameter; straight lines: slope of the source's friction (A00 3.13, Table 3.4). (a) From rest in a nest, as in the source: at q = 1 the nest is as steep as the slope, so the particle waits. (b) From a crest.
 width = 17; height = 8
 load style
 load tools.'/particle-checks/panels.gpi'
@@ -13,7 +13,7 @@ set bmargin at screen low(1, 1); set tmargin at screen high(1, 1)
 set xrange [0:0.17]; set yrange [0:0.3]; set xtics 0.05; set xlabel 'way (m)'; set ylabel 'time² (s²)'
 set key at graph 0.03,0.98 left top
 do for [i=1:2] {
-    of(k) = rows(i == 1 ? 'pseudo_path' : 'pseudo_path_off', sprintf('$1 == %g', k))
+    of(k) = rows(i == 1 ? 'pseudo_path' : 'pseudo_path_crest', sprintf('$1 == %g', k))
     set lmargin at screen left(i, 2); set rmargin at screen right(i, 2)
     set label 1 letter(i) at graph 0,1.06
     plot for [k=1:3] slope(printed[k]) * x with lines lw 0.9 dt (6,4) lc rgb tone[2*k-1] notitle, \

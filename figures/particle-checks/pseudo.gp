@@ -41,7 +41,7 @@ set lmargin at screen left(2, 2); set rmargin at screen right(2, 2)
 set label 1 letter(4)
 set key at graph 0.03,0.97 left top
 set logscale x 2; set xrange [0.85:19]; set xtics (1, 2, 4, 8, 16)
-set logscale y; set yrange [1:2000]; set format y '%g'
+set logscale y; set yrange [0.8:1500]; set format y '%g'
 set xlabel 'spheres per diameter, q'; set ylabel 'cost'
 plot rows('pseudo', '1') using 1:14 with linespoints pt 7 ps 0.7 lw 1.2 lc rgb ours title 'µs per step', \
      rows('pseudo', '1') using 1:12 with linespoints pt 6 ps 0.8 lw 1.2 lc rgb frictional title 'contacts', \
