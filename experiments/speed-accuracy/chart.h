@@ -88,7 +88,7 @@ void chart_fold_hash(chart *c, uint64_t hash);
  * Luck must not make a setting look good. The bound of a statistical error is the end of its
  * interval; of another one, the largest error of the same family at this level and all higher ones
  * (finer steps), because an error that happens to change its sign between two steps is no merit.
- * References are on no front. */
+ * Bounds that agree in three digits are alike. References are on no front. */
 void chart_finish(chart *c);
 
 /* Slope of a front of bounds against force evaluations, points with `from` to `to` steps per

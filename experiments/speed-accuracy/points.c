@@ -1,5 +1,6 @@
 /* points.c - the points of the chart, their fronts, and what to pick. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -59,6 +60,13 @@ static bool is_first_of_panel(const chart *c, int i) {
            &c->points[i];
 }
 
+/* Errors that agree in three digits are alike: the cheaper one, or the first, is on the front. */
+static double three_digits(double error) {
+    char text[40];
+    snprintf(text, sizeof text, "%.2e", error);
+    return strtod(text, NULL);
+}
+
 static void mark(chart *c, int first, chart_axis axis) {
     CLAST_ASSERT(c->count > 0);
     size_t n = (size_t)c->count;
@@ -69,7 +77,7 @@ static void mark(chart *c, int first, chart_axis axis) {
         const chart_point *p = &c->points[i];
         bool counts = chart_same_panel(p, &c->points[first]) && !p->reference;
         cost[i] = counts ? cost_along(p, axis) : (double)NAN;
-        error[i] = p->bound;
+        error[i] = three_digits(p->bound);
     }
     pareto_front(cost, error, c->count, on_front);
     for (int i = 0; i < c->count; i++) {

@@ -8,7 +8,7 @@ load style
 table(quantity, condition) = sprintf("< awk -F, '$1 == \"button-hopper\" && $3 == \"%s\" && $18 == 0 { n++; if (%s) printf \"%%d,%%s,%%.8g,%%.8g,%%s,%%s,%%s\\n\", n, $5, 100 * $12, 100 * ($15 - $13), $8, 100 * $20, $17 }' '%s/points.csv'", quantity, condition, data).none
 said(quantity, n, column) = system(sprintf("awk -F, '$1 == \"button-hopper\" && $3 == \"%s\" && $18 == 0 && ++n == %d { print $%d }' '%s/points.csv'", quantity, n, column, data))
 set multiplot
-unset ytics; set border 1; set grid xtics noytics
+unset ytics; set border 1; set xtics font small; set grid xtics noytics
 set yrange [count + 0.6:0.4]
 set tmargin at screen 1 - up(0.9)
 array quantity[2] = ['rate', 'density']
@@ -26,7 +26,8 @@ do for [i=1:2] {
         do for [k=1:count] {
             unset label 100 + k
             set label 200 + k sprintf('%.2g', said('rate', k, 8) + 0) at screen across(14.7), first k center tc rgb ink
-            set label 300 + k (said('rate', k, 20) eq 'nan' ? '–' : sprintf('%.1f %%', 100 * (said('rate', k, 20) + 0))) at screen across(16.1), first k center tc rgb ink
+            overlap = said('rate', k, 20) eq 'nan' ? '–' : sprintf('%.1f %%', 100 * (said('rate', k, 20) + 0))
+            set label 300 + k overlap at screen across(16.1), first k center tc rgb ink
         }
         set label 2 'CPU, s/s' at screen across(14.7), screen 1 - up(0.5) center tc rgb ink
         set label 3 'overlap' at screen across(16.1), screen 1 - up(0.5) center tc rgb ink

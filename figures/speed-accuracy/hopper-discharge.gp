@@ -17,12 +17,11 @@ set ytics 10
 do for [i=1:4] {
     column = i % 2 ? 0 : 1; row = i > 2 ? 1 : 0
     set yrange [(row == 0 ? 1e-4 : 1e-8):(row == 0 ? 1 : 1)]
-    set lmargin at screen (column == 0 ? across(1.7) : 0.5 + across(1.0)); set rmargin at screen (column == 0 ? 0.5 - across(0.1) : 1 - across(0.3))
-    set bmargin at screen (row == 1 ? up(1.75) : 0.5 * (1 - up(0.2)) + up(0.2)); set tmargin at screen (row == 1 ? 0.5 * (1 - up(0.2)) - up(0.2) : 1 - up(0.9))
+    set lmargin at screen left_of(i); set rmargin at screen right_of(i); set bmargin at screen bottom_of(i, 0.7); set tmargin at screen top_of(i, 0.7)
     set ylabel (column == 0 ? ytitle[row + 1] : '')
     axis = column == 0 ? 8 : 11
     set xlabel (row == 1 ? (axis == 8 ? cost_title : 'force evaluations per run') : '')
-    if (i > 1) { unset label 999; unset key } else { set key at screen 0.53,1 - up(0.1) center top horizontal maxrows 1 font small }
+    if (i > 1) { unset label 999; unset key } else { set key at screen 0.53,1 - up(0.1) center top maxrows 1 font small }
     panel = of_panel('hopper-discharge', 'S12 3.9.3', quantity[row + 1])
     plot front(panel, axis) using 1:2 with steps lw 2 lc rgb ink notitle, \
          for [k=1:families] seen(panel, k) using axis:13:(floor_of($14)):15 with yerrorbars pt family_mark[k] ps 0.8 lw 1.1 lc rgb family_tint[k] title nice(family_key[k]), \
