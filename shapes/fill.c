@@ -290,6 +290,15 @@ static void check_stops(const shape_stops *stops) {
     SHAPE_ASSERT(stops->spheres > 0 || stops->density >= 1 || stops->deviation > 0);
 }
 
+/* The next orbit for so many spheres at most. Where the best one is too large, a small one may take
+ * its place, but not for next to nothing: small spheres make steps small. */
+static orbit *next_orbit(filler *f, int room) {
+    orbit *best = best_orbit(f, SHAPE_SPHERES_MAX);
+    if (!best || best->size <= room) return best;
+    orbit *fits = best_orbit(f, room);
+    return fits && fits->bound > 0.25 * best->bound ? fits : NULL;
+}
+
 shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
                          shape_sphere *spheres, int *level) {
     SHAPE_ASSERT(target && spheres);
@@ -299,7 +308,7 @@ shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
     find_candidates(&f);
     int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX, count = 0, orbits = 0;
     while (count < limit && !(count > 0 && is_met(&f))) {
-        orbit *o = best_orbit(&f, limit - count);
+        orbit *o = next_orbit(&f, limit - count);
         if (!o) break;
         take(&f, o, spheres + count);
         for (int i = 0; i < o->size && level; i++) level[count + i] = orbits;

@@ -262,7 +262,7 @@ static bool make_level(const arguments *a, const shape_target *target, shape_lev
                      : shape_fill(target, &l->stops, l->placed, NULL);
     l->fill_s = now() - start;
     if (l->filling.count == 0) {
-        usage("no sphere fits: --smallest or --spheres leaves none", "");
+        usage("no sphere fits: --smallest is too large, or --spheres less than a whole ring", "");
         return false;
     }
     start = now();
