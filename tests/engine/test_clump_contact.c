@@ -156,6 +156,21 @@ static void dashpots_of_each_contact_damp_more(void **state) {
     }
 }
 
+/* Struck at its end a rod is lighter than its mass: the damping ratio of the whole mass is too
+ * large by the root of their ratio. */
+static void dashpots_of_the_whole_mass_damp_more(void **state) {
+    (void)state;
+    for (int law = 0; law < 2; law++) {
+        double arm = L * cos(0.5), lighter = 1 + M * arm * arm / moments().y;
+        double want = clast_restitution(LAW[law], sqrt(lighter) * clast_damping_ratio(LAW[law], E));
+        landing l = {law, CLAST_CLUMP_EACH, ROD, 2, E, 0.5, 0, CLAST_SCHEME_LEAPFROG};
+        rebound r = land(&l);
+        print_message("%s, on its end: rebound %.4f, foreseen %.4f\n", NAME[law], r.at_contact,
+                      want);
+        CHECK_NEAR(r.at_contact, want, TOLERANCE[law] * E);
+    }
+}
+
 /* More contacts than one batch of the kernel holds, listed with a body. */
 static void a_hundred_touch_at_once(void **state) {
     (void)state;
@@ -374,6 +389,7 @@ static void other_laws_say_so(void **state) {
 TEST_MAIN(cmocka_unit_test(a_flat_landing_rebounds_as_one_sphere),
           cmocka_unit_test(other_schemes_rebound_alike), cmocka_unit_test(rocking_is_damped),
           cmocka_unit_test(dashpots_of_each_contact_damp_more),
+          cmocka_unit_test(dashpots_of_the_whole_mass_damp_more),
           cmocka_unit_test(a_hundred_touch_at_once), cmocka_unit_test(a_rod_lands_on_its_end),
           cmocka_unit_test(a_rake_lands_as_one_sphere_would),
           cmocka_unit_test(without_damping_nothing_is_lost),
