@@ -78,6 +78,8 @@ static const group_def GROUPS[] = {
      INPUT, 1},
     {SECTION_ASSUMPTION, "lip of the throat", "column 2 mm lower", "", "", "", "lip=2 mm", INPUT,
      1},
+    {SECTION_ASSUMPTION, "dashpots of a clump", "shared", "", "", "", "clump_contact=shared", INPUT,
+     1},
     {SECTION_ASSUMPTION, "friction limit", "spring alone (1.73)", "", "", "",
      "friction_limit=spring", INPUT, 1},
     {SECTION_ASSUMPTION, "tangential spring", "as printed (1.14)", "", "", "",

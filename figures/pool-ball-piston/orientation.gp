@@ -6,7 +6,7 @@ width = 17; height = 10
 load style
 load tools.'/pool-ball-piston/limits.gpi'
 set multiplot
-set xtics 0,1,5; set ytics autofreq; set tics font small
+set tics font small
 do for [p=1:10] {
     column = (p - 1) % 5; row = (p - 1) / 5
     set lmargin at screen across(1.6 + 3.1 * column); set rmargin at screen across(1.6 + 3.1 * column + 2.1)
