@@ -12,6 +12,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "experiments/study/command.h"
+
 /* ---- cost ------------------------------------------------------------------------------------ */
 
 /* s of processor time per simulated second: median of batches or replicates, and the quartiles. All
@@ -112,6 +114,7 @@ const chart_point *chart_panel(const chart *c, const char *part, const char *sce
 /* ---- parts ----------------------------------------------------------------------------------- */
 
 typedef struct chart_size {
+    study_size size;
     const char *name;
     double least; /* s that short work is timed for */
     /* collision: steps per contact 2^(i/2) from 2 on; places in a step where it begins */
@@ -123,7 +126,6 @@ typedef struct chart_size {
     int replicates;
     double button_step; /* s, of the reference: the thesis's 4.5 us; quick: twice that */
     const char *settle, *latest;
-    bool all_variants;
 } chart_size;
 
 extern const char *const PART_COLLISION, *const PART_SANDWICH, *const PART_DISCHARGE,

@@ -35,27 +35,28 @@ typedef struct variant {
     double level;             /* as the figures count it */
     double step_times, young; /* of the thesis's; Pa */
     int spheres;
-    bool mixed, quick;
+    bool mixed;
+    study_size from; /* the smallest size that has it */
 } variant;
 
 static const variant VARIANTS[] = {
-    {"reference", "the thesis's setting", 1, 1, 3.5e9, SPHERES, false, true},
-    {"step", "step / 4", 0.25, 0.25, 3.5e9, SPHERES, false, false},
-    {"step", "step / 2", 0.5, 0.5, 3.5e9, SPHERES, false, false},
-    {"step", "step x 1.5", 1.5, 1.5, 3.5e9, SPHERES, false, false},
-    {"step", "step x 2", 2, 2, 3.5e9, SPHERES, false, true},
-    {"step", "step x 3", 3, 3, 3.5e9, SPHERES, false, false},
-    {"step", "step x 4", 4, 4, 3.5e9, SPHERES, false, false},
-    {"stiffness", "E / 10", 10, 2.511886, 3.5e8, SPHERES, false, false},
-    {"stiffness", "E / 100", 100, 6.309573, 3.5e7, SPHERES, false, true},
-    {"stiffness", "E / 1000", 1000, 15.84893, 3.5e6, SPHERES, false, false},
-    {"stiffness", "E / 10000", 10000, 39.81072, 3.5e5, SPHERES, false, false},
-    {"spheres", "1 sphere", 1, 1, 3.5e9, 1, false, false},
-    {"spheres", "3 spheres", 3, 1, 3.5e9, 3, false, true},
-    {"spheres", "5 spheres", 5, 1, 3.5e9, 5, false, false},
-    {"spheres", "11 spheres", 11, 1, 3.5e9, 11, false, false},
-    {"spheres", "15 spheres", 15, 1, 3.5e9, 15, false, false},
-    {"precision", "mixed precision", 1, 1, 3.5e9, SPHERES, true, true},
+    {"reference", "the thesis's setting", 1, 1, 3.5e9, SPHERES, false, STUDY_QUICK},
+    {"step", "step / 4", 0.25, 0.25, 3.5e9, SPHERES, false, STUDY_FULL},
+    {"step", "step / 2", 0.5, 0.5, 3.5e9, SPHERES, false, STUDY_PUBLISHED},
+    {"step", "step x 1.5", 1.5, 1.5, 3.5e9, SPHERES, false, STUDY_FULL},
+    {"step", "step x 2", 2, 2, 3.5e9, SPHERES, false, STUDY_QUICK},
+    {"step", "step x 3", 3, 3, 3.5e9, SPHERES, false, STUDY_PUBLISHED},
+    {"step", "step x 4", 4, 4, 3.5e9, SPHERES, false, STUDY_PUBLISHED},
+    {"stiffness", "E / 10", 10, 2.511886, 3.5e8, SPHERES, false, STUDY_PUBLISHED},
+    {"stiffness", "E / 100", 100, 6.309573, 3.5e7, SPHERES, false, STUDY_QUICK},
+    {"stiffness", "E / 1000", 1000, 15.84893, 3.5e6, SPHERES, false, STUDY_PUBLISHED},
+    {"stiffness", "E / 10000", 10000, 39.81072, 3.5e5, SPHERES, false, STUDY_PUBLISHED},
+    {"spheres", "1 sphere", 1, 1, 3.5e9, 1, false, STUDY_PUBLISHED},
+    {"spheres", "3 spheres", 3, 1, 3.5e9, 3, false, STUDY_QUICK},
+    {"spheres", "5 spheres", 5, 1, 3.5e9, 5, false, STUDY_PUBLISHED},
+    {"spheres", "11 spheres", 11, 1, 3.5e9, 11, false, STUDY_FULL},
+    {"spheres", "15 spheres", 15, 1, 3.5e9, 15, false, STUDY_PUBLISHED},
+    {"precision", "mixed precision", 1, 1, 3.5e9, SPHERES, true, STUDY_QUICK},
 };
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
 
@@ -78,7 +79,7 @@ typedef struct button_study {
 } button_study;
 
 static bool is_run(const button_study *s, int v) {
-    return s->size->all_variants || VARIANTS[v].quick;
+    return VARIANTS[v].from <= s->size->size;
 }
 
 static bool fit_is_run(const button_study *s, int spheres) {
