@@ -69,7 +69,7 @@ static void choose_view(sheet_picture *p, bool bare) {
     const shape_mesh *mesh = &p->sheet->target->surface;
     double edge = p->height / 40.0, x, y;
     double wide = extent(mesh, right, &x), high = extent(mesh, up, &y);
-    double top = bare ? edge : 4 * edge, bottom = bare ? edge : 5 * edge, most = 480;
+    double top = bare ? edge : 4 * edge, bottom = bare ? edge : 6.5 * edge, most = 480;
     double scale = fmin((p->height - top - bottom) / high, most / (1.1 * wide)); /* px per m */
     double panel = fmax(1.1 * wide * scale, bare ? 1.2 * p->height : 13.5 * text_size(p));
     p->pitch = panel / scale;
