@@ -14,12 +14,23 @@ typedef struct orbit {
     double bound;    /* no more than this is gained by it, per sphere */
 } orbit;
 
+/* Samples stand in the order of the triangles, so neighbours in the list are neighbours in space: a
+ * sphere that cannot come nearer to any of a batch than the clump is passes it by. */
+enum { BATCH = 25 };
+
+typedef struct batch {
+    shape_vec middle;
+    double radius;   /* m, of the batch */
+    double distance; /* m, the largest of its samples */
+} batch;
+
 typedef struct filler {
     const shape_target *target;
     const shape_stops *stops;
     int samples; /* of the part of the surface that the symmetry repeats */
     shape_vec *point;
-    double *distance;   /* m, from the clump so far */
+    double *distance; /* m, from the clump so far */
+    batch *batches;
     shape_sphere *pool; /* spheres of all orbits */
     orbit *orbits;
     int pool_count, pool_room, orbit_count, orbit_room;
@@ -176,18 +187,39 @@ static double outside(shape_sphere one, shape_vec p) {
     return d > 0 ? d : 0;
 }
 
+/* What the orbit gains of one batch. */
+static double batch_gain(const filler *f, const orbit *o, int which) {
+    const batch *b = &f->batches[which];
+    double nearest[BATCH], gain = 0;
+    int first = which * BATCH, count = f->samples - first < BATCH ? f->samples - first : BATCH;
+    bool met = false;
+    for (int i = 0; i < o->size; i++) {
+        shape_sphere one = f->pool[o->first + i];
+        shape_vec way = sv_sub(b->middle, one.centre);
+        double far = one.radius + b->distance + b->radius;
+        if (sv_dot(way, way) >= far * far) continue;
+        if (!met) memcpy(nearest, f->distance + first, (size_t)count * sizeof *nearest);
+        met = true;
+        for (int s = 0; s < count; s++) {
+            shape_vec arm = sv_sub(f->point[first + s], one.centre);
+            double reach = one.radius + nearest[s], square = sv_dot(arm, arm);
+            if (square >= reach * reach) continue;
+            double d = sqrt(square) - one.radius;
+            nearest[s] = d > 0 ? d : 0;
+        }
+    }
+    for (int s = 0; s < count && met; s++)
+        gain += (f->distance[first + s] - nearest[s]) * (f->distance[first + s] + nearest[s]);
+    return gain;
+}
+
+static int batch_count(const filler *f) {
+    return (f->samples + BATCH - 1) / BATCH;
+}
+
 static double gain_of(const filler *f, const orbit *o) {
     double gain = 0;
-    for (int s = 0; s < f->samples; s++) {
-        double nearest = f->distance[s];
-        for (int i = 0; i < o->size; i++) {
-            shape_sphere one = f->pool[o->first + i];
-            shape_vec arm = sv_sub(f->point[s], one.centre);
-            double reach = one.radius + nearest, square = sv_dot(arm, arm);
-            if (square < reach * reach) nearest = fmax(0, sqrt(square) - one.radius);
-        }
-        gain += f->distance[s] * f->distance[s] - nearest * nearest;
-    }
+    for (int b = 0; b < batch_count(f); b++) gain += batch_gain(f, o, b);
     return gain / o->size;
 }
 
@@ -212,11 +244,33 @@ static orbit *best_orbit(filler *f, int room) {
     }
 }
 
+static void measure_batches(filler *f) {
+    for (int b = 0; b < batch_count(f); b++) {
+        f->batches[b].distance = 0;
+        for (int s = b * BATCH; s < (b + 1) * BATCH && s < f->samples; s++)
+            f->batches[b].distance = fmax(f->batches[b].distance, f->distance[s]);
+    }
+}
+
+/* The largest spheres inside come first, whichever of them gains most: with nothing placed yet
+ * every sphere gains from every sample. NULL when none of them fits. */
+static orbit *first_orbit(filler *f, int room) {
+    orbit *best = NULL;
+    for (int i = 0; i < f->orbit_count; i++) {
+        orbit *o = &f->orbits[i];
+        if (o->size > room || f->pool[o->first].radius < 0.999 * f->inscribed) continue;
+        o->bound = gain_of(f, o);
+        if (!best || o->bound > best->bound) best = o;
+    }
+    return best;
+}
+
 static void take(filler *f, orbit *o, shape_sphere *to) {
     memcpy(to, &f->pool[o->first], (size_t)o->size * sizeof *to);
     for (int s = 0; s < f->samples; s++)
         for (int i = 0; i < o->size; i++)
             f->distance[s] = fmin(f->distance[s], outside(to[i], f->point[s]));
+    measure_batches(f);
     o->bound = 0;
 }
 
@@ -269,9 +323,24 @@ static void take_samples(filler *f) {
     free(normal), free(common);
 }
 
+static void make_batches(filler *f) {
+    f->batches = calloc((size_t)batch_count(f), sizeof *f->batches);
+    SHAPE_ASSERT(f->batches);
+    for (int b = 0; b < batch_count(f); b++) {
+        int first = b * BATCH, end = first + BATCH < f->samples ? first + BATCH : f->samples;
+        batch *one = &f->batches[b];
+        for (int s = first; s < end; s++)
+            one->middle = sv_along(one->middle, 1.0 / (end - first), f->point[s]);
+        for (int s = first; s < end; s++)
+            one->radius = fmax(one->radius, sv_distance(f->point[s], one->middle));
+    }
+    measure_batches(f);
+}
+
 static void begin(filler *f, const shape_target *target, const shape_stops *stops) {
     *f = (filler){.target = target, .stops = stops};
     take_samples(f);
+    make_batches(f);
 }
 
 static shape_filling finish(filler *f, int count) {
@@ -280,7 +349,7 @@ static shape_filling finish(filler *f, int count) {
                             .inscribed = f->inscribed,
                             .density = density_of(mean_distance(f) / f->inscribed)};
     result.met = !(stop->density >= 1 || stop->deviation > 0) || is_met(f);
-    free(f->point), free(f->distance), free(f->pool), free(f->orbits);
+    free(f->point), free(f->distance), free(f->batches), free(f->pool), free(f->orbits);
     return result;
 }
 
@@ -292,7 +361,9 @@ static void check_stops(const shape_stops *stops) {
 
 /* The next orbit for so many spheres at most. Where the best one is too large, a small one may take
  * its place, but not for next to nothing: small spheres make steps small. */
-static orbit *next_orbit(filler *f, int room) {
+static orbit *next_orbit(filler *f, int room, bool is_first) {
+    orbit *largest = is_first ? first_orbit(f, room) : NULL;
+    if (largest) return largest;
     orbit *best = best_orbit(f, SHAPE_SPHERES_MAX);
     if (!best || best->size <= room) return best;
     orbit *fits = best_orbit(f, room);
@@ -308,7 +379,7 @@ shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
     find_candidates(&f);
     int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX, count = 0, orbits = 0;
     while (count < limit && !(count > 0 && is_met(&f))) {
-        orbit *o = next_orbit(&f, limit - count);
+        orbit *o = next_orbit(&f, limit - count, count == 0);
         if (!o) break;
         take(&f, o, spheres + count);
         for (int i = 0; i < o->size && level; i++) level[count + i] = orbits;

@@ -23,12 +23,12 @@ static const shape_solid SOLIDS[] = {
 static shape_sphere spheres[SHAPE_SPHERES_MAX], again[SHAPE_SPHERES_MAX];
 static int level[SHAPE_SPHERES_MAX];
 
-/* At density 1.6: inscribed, dense enough, centred and aligned as the solid is. */
+/* At density 1.3: inscribed, dense enough, centred and aligned as the solid is. */
 static void every_solid_is_filled(void **state) {
     (void)state;
     for (int kind = 0; kind < SHAPE_KINDS; kind++) {
         shape_target *t = shape_target_of_solid(&SOLIDS[kind]);
-        shape_filling f = shape_fill(t, &(shape_stops){.density = 1.6}, spheres, NULL);
+        shape_filling f = shape_fill(t, &(shape_stops){.density = 1.3}, spheres, NULL);
         shape_quality q = shape_quality_of(t, spheres, f.count);
         shape_mass u = shape_union_mass(spheres, f.count);
         print_message("%-15s %4d spheres, density %.2f, volume %.3f, mean deviation %.4f\n",
