@@ -16,8 +16,9 @@ build:
 	@rm -f $(BUILD).configure.log
 	@cmake --build $(BUILD) -j $(JOBS)
 
+# All studies in half an hour: those whose published size takes longer run at `brief`. SIZE=published runs all whole.
 figures: build
-	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target figures
+	@CLAST_SIZE=$(or $(SIZE),fit) cmake --build $(BUILD) --target figures
 
 figures-%: build
 	@CLAST_SIZE=$(SIZE) cmake --build $(BUILD) --target figures-$*

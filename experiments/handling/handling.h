@@ -24,20 +24,28 @@
 #define FAST_SPEED     0.60
 #define DISC_SPIN      10.0 /* FAN 10.0, read as rad/s */
 
-/* ---- what we chose (README.md, "Assumptions") ----------- */
+/* ---- what we chose (README.md, "Assumptions") ------------------------------------------------ */
 
-#define SPEED_TAKEN 0.10 /* a particle has the speed of a belt within this part of it */
-#define SINGLED_AT  1.3  /* m, x at which a spheroid is looked at: README.md, "Assumptions" */
-#define ARCH_HALF                                                                                  \
-    0.5 /* a bin is arched when spheres rest above this middle part of its orifice                 \
-         */
+#define SPEED_TAKEN   0.10 /* a particle has the speed of a belt within this part of it */
+#define SINGLED_AT    1.3  /* m, x at which a spheroid is looked at: README.md, "Assumptions" */
+#define ARCH_HALF     0.5  /* of the orifice, its middle: spheres at rest above it are an arch */
 #define EVERY_STEPS   50   /* 3.9.2 */
 #define COLLISION_GAP 1e-3 /* s without contact between two collisions */
 #define QUIET_FOR     0.2  /* s without a discharge at the end of a run: its flow has stopped */
 
 enum { SHAPES = 5, ORIFICES = 3, REPLICATES_MAX = 40, RUNS_MAX = 1200 };
 
-typedef enum scene_kind { TAPERED, IRREGULAR, BUNCH, SINGULATION, DISC, BIN, MIXTURE, KINDS } scene_kind;
+typedef enum scene_kind {
+    TAPERED,
+    IRREGULAR,
+    BUNCH,
+    SINGULATION,
+    DISC,
+    BIN,
+    MIXTURE,
+    KINDS
+} scene_kind;
+
 extern const char *const KIND_NAME[KINDS];
 extern const double ASPECT[SHAPES];       /* ours: Fig. 3.29 alone has those of the source */
 extern const double ORIFICE_CM[ORIFICES]; /* the first is the source's */
@@ -49,10 +57,10 @@ typedef struct handling_size {
     int replicates[KINDS];
     int shapes, orifices; /* of the bin */
     int disc_cells;       /* along a side */
-    int variants;         /* replicates of each at most */
+    int variants;         /* replicates of each at most, but for those of the disc */
 } handling_size;
 
-extern const handling_size SIZES[3];
+extern const handling_size SIZES[4];
 
 /* ---- templates ------------------------------------------------------------------------------- */
 

@@ -12,7 +12,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: handling validate|figures [--size quick|published|full]\n"
+    "usage: handling validate|figures [--size quick|brief|published|full]\n"
     "       handling disc CELLS > disc.yaml\n"
     "The worked scenes of A00 Appendix D: two conveyors, singulation, a rotating disc; the bin of "
     "3.9.4.\n"

@@ -11,8 +11,9 @@ const double ORIFICE_CM[ORIFICES] = {5, 6.5, 8};
 
 enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
 
-const handling_size SIZES[3] = {
-    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 1},
+const handling_size SIZES[4] = {
+    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 0},
+    [STUDY_BRIEF] = {"brief", {5, 2, 1, 1, 1, 2, 1}, SHAPES, ORIFICES, 32, 0},
     [STUDY_PUBLISHED] = {"published", {20, 10, 4, 4, 1, 5, 1}, SHAPES, ORIFICES, 32, 3},
     [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20, 1}, SHAPES, ORIFICES, 32, 20},
 };
@@ -157,11 +158,10 @@ void handling_plan(handling_study *s) {
     for (int kind = 0; kind < KINDS; kind++)
         plan_kind(s, (scene_kind)kind, 0, s->size->replicates[kind]);
     for (int v = 1; v < VARIANT_COUNT; v++) {
-        int replicates = s->size->replicates[VARIANTS[v].kind];
-        /* the quick size checks the rolling of one sphere alone */
-        if (s->size->variants == 1 && (VARIANTS[v].kind != DISC || VARIANTS[v].cells)) continue;
-        if (replicates > s->size->variants) replicates = s->size->variants;
-        plan_kind(s, VARIANTS[v].kind, v, replicates);
+        scene_kind kind = VARIANTS[v].kind;
+        int replicates = s->size->replicates[kind], most = s->size->variants;
+        if (kind == DISC) most = 1; /* half a second each: at every size */
+        plan_kind(s, kind, v, replicates < most ? replicates : most);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: hopper-discharge validate|figures [--size quick|published|full]\n"
+    "usage: hopper-discharge validate|figures [--size quick|brief|published|full]\n"
     "Repeats S12 section 3.9.3: residence times, steps that fail, and prices of position Verlet "
     "and\n"
     "Numerov. Results are kept below the build folder. CLAST_SIZE sets the size, CLAST_JOBS how\n"
@@ -18,6 +18,7 @@ static const char USAGE[] =
 
 static const discharge_size SIZES_OF_STUDY[] = {
     [STUDY_QUICK] = {.rows = 6, .states = 2, .first_step = 2, .scans = SCANS},
+    [STUDY_BRIEF] = {.rows = ROWS, .states = 2, .scans = SCANS, .halvings = 3},
     [STUDY_PUBLISHED] =
         {.rows = ROWS, .states = 4, .scans = SCANS, .halvings = 4, .variant_states = 2},
     [STUDY_FULL] =

@@ -10,7 +10,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: pool-ball-piston validate|figures [--size quick|published|full]\n"
+    "usage: pool-ball-piston validate|figures [--size quick|brief|published|full]\n"
     "Repeats A00 section 4.2: friction scan, step scan, agreement score. Runs are kept below the\n"
     "build folder and not repeated. CLAST_SIZE sets the size, CLAST_JOBS the number of processes.\n"
     "example: pool-ball-piston validate --size quick\n";
@@ -19,6 +19,7 @@ static const piston_size SIZES[] = {
     [STUDY_QUICK] = {.fraction = "0.5",
                      .replicates = {[SECTION_BASE] = 7, [SECTION_RIG] = 5},
                      .trials = 500},
+    [STUDY_BRIEF] = {.fraction = "0.1", .replicates = {10, 5, 5, 5}, .trials = 2000},
     [STUDY_PUBLISHED] = {.fraction = "0.1",
                          .replicates = {20, 5, 5, 5, 5, 5},
                          .arrangements = 20,

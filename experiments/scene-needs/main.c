@@ -9,7 +9,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: scene-needs validate|figures [--size quick|published|full]\n"
+    "usage: scene-needs validate|figures [--size quick|brief|published|full]\n"
     "A heap, a silo and the button hopper without one feature of the model at a time. Runs are "
     "kept "
     "below\n"
@@ -20,6 +20,7 @@ static const char USAGE[] =
  * in beds of ten times as many bodies. `published` takes some 12 minutes of one core. */
 static const needs_size SIZES[] = {
     [STUDY_QUICK] = {{2, 2, 2}, true},
+    [STUDY_BRIEF] = {{2, 2, 3}, false},
     [STUDY_PUBLISHED] = {{6, 6, 8}, false},
     [STUDY_FULL] = {{20, 20, 48}, false},
 };

@@ -11,7 +11,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: speed-accuracy validate|figures [--size quick|published|full]\n"
+    "usage: speed-accuracy validate|figures [--size quick|brief|published|full]\n"
     "Error against cost: one collision, a ball between two walls, the hopper discharge (from the\n"
     "study hopper-discharge, when it has been run), the button hopper. Runs of the last are kept\n"
     "below the build folder and not repeated. CLAST_SIZE and CLAST_JOBS set size and processes,\n"
@@ -30,6 +30,17 @@ static const chart_size SIZES[] = {
                      .button_step = 9e-6,
                      .settle = "0.5 s",
                      .latest = "0.4 s"},
+    [STUDY_BRIEF] = {.size = STUDY_BRIEF,
+                     .name = "brief",
+                     .least = 0.005,
+                     .resolutions = 13,
+                     .places = 8,
+                     .per_decade = 10,
+                     .finest = 4e-5,
+                     .replicates = 5,
+                     .button_step = 4.5e-6,
+                     .settle = "1 s",
+                     .latest = "0.5 s"},
     [STUDY_PUBLISHED] = {.size = STUDY_PUBLISHED,
                          .name = "published",
                          .least = 0.01,

@@ -4,16 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const SIZES[] = {"quick", "published", "full"};
+static const char *const SIZES[] = {"quick", "brief", "published", "full"};
 
 const char *study_size_name(study_size size) {
     return SIZES[size];
 }
 
-static study_size size_named(const char *name) {
+static study_size size_named(const char *name, const char *usage) {
     for (int i = 0; i <= STUDY_FULL; i++)
-        if (!strcmp(SIZES[i], name)) return (study_size)i;
-    fprintf(stderr, "there is no size '%s': expected quick, published or full\n", name);
+        if (!strcmp(SIZES[i], name) && strstr(usage, name)) return (study_size)i;
+    fprintf(stderr, "there is no size '%s'\n%s", name, usage);
     exit(2);
 }
 
@@ -31,5 +31,5 @@ study_command study_command_of(int argc, char **argv, const char *usage) {
         fputs(usage, help ? stdout : stderr);
         exit(help ? 0 : 2);
     }
-    return (study_command){!strcmp(what, "figures"), size_named(size)};
+    return (study_command){!strcmp(what, "figures"), size_named(size, usage)};
 }
