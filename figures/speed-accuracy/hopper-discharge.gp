@@ -16,7 +16,7 @@ set multiplot
 set ytics 10
 do for [i=1:4] {
     column = i % 2 ? 0 : 1; row = i > 2 ? 1 : 0
-    set yrange [(row == 0 ? 1e-4 : 1e-8):(row == 0 ? 1 : 1)]
+    set yrange [(row == 0 ? 1e-3 : 1e-5):1]
     set lmargin at screen left_of(i); set rmargin at screen right_of(i); set bmargin at screen bottom_of(i, 0.7); set tmargin at screen top_of(i, 0.7)
     set ylabel (column == 0 ? ytitle[row + 1] : '')
     axis = column == 0 ? 8 : 11
