@@ -150,10 +150,7 @@ static const tree_node *load_tree(scene_arena *arena, scene_faults *faults,
 static void refit(scene_draft *draft, int spheres) {
     shape_item *shapes = draft->shapes.items;
     for (int i = 0; i < draft->shapes.count; i++)
-        if (shapes[i].fit_spheres > 0)
-            shapes[i].fit_spheres = spheres;
-        else if (shapes[i].fill.spheres > 0)
-            shapes[i].fill.spheres = spheres;
+        if (shapes[i].fit_spheres > 0) shapes[i].fit_spheres = spheres;
 }
 
 static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
