@@ -216,6 +216,44 @@ static void a_rake_lands_as_one_sphere_would(void **state) {
                                      CLAST_SCHEME_LEAPFROG});
 }
 
+typedef struct leaving {
+    double up, spin, energy; /* of the speed of the impact; rad/s; of the energy before */
+} leaving;
+
+/* After the other end has struck too. */
+static leaving leave(const landing *l) {
+    clast_world *w = new_landing(l);
+    assert_int_equal(clast_world_prepare(w), CLAST_OK);
+    double before = motion_energy(w);
+    run_to(w, 0.06);
+    assert_true(contact_count(w) == 0);
+    body_state b = body_of(w, 0);
+    leaving r = {b.velocity.z / SPEED, b.spin.y, motion_energy(w) / before};
+    clast_world_free(w);
+    return r;
+}
+
+/* One end strikes, then the other: the spheres between them make no difference. */
+static void both_ends_land_as_those_of_two_spheres(void **state) {
+    (void)state;
+    static const double tilts[3] = {0.06, 0.1, 0.2};
+    for (int law = 0; law < 2; law++)
+        for (int k = 0; k < 3; k++) {
+            leaving want = {0, 0, 0};
+            for (int i = 1; i < COUNTS; i++) {
+                landing l = {law, CLAST_CLUMP_SHARED, ROD, SPHERES[i],
+                             E,   tilts[k],           0,   CLAST_SCHEME_LEAPFROG};
+                leaving r = leave(&l);
+                if (i == 1) want = r;
+                CHECK_CLOSE(r.up, want.up, TOLERANCE[law]);
+                CHECK_CLOSE(r.spin, want.spin, TOLERANCE[law]);
+                CHECK_CLOSE(r.energy, want.energy, TOLERANCE[law]);
+            }
+            print_message("%s, tilt %.2f: up at %.3f, spin %.2f rad/s, energy %.3f\n", NAME[law],
+                          tilts[k], want.up, want.spin, want.energy);
+        }
+}
+
 /* Ten onsets of which each may be off by 0.5 / n^2 of the energy at n = 400 steps per contact. */
 static void without_damping_nothing_is_lost(void **state) {
     (void)state;
@@ -392,6 +430,7 @@ TEST_MAIN(cmocka_unit_test(a_flat_landing_rebounds_as_one_sphere),
           cmocka_unit_test(dashpots_of_the_whole_mass_damp_more),
           cmocka_unit_test(a_hundred_touch_at_once), cmocka_unit_test(a_rod_lands_on_its_end),
           cmocka_unit_test(a_rake_lands_as_one_sphere_would),
+          cmocka_unit_test(both_ends_land_as_those_of_two_spheres),
           cmocka_unit_test(without_damping_nothing_is_lost),
           cmocka_unit_test(two_normals_make_one_dashpot), cmocka_unit_test(all_slide_alike),
           cmocka_unit_test(single_spheres_see_no_difference), cmocka_unit_test(other_laws_say_so))
