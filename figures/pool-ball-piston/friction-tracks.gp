@@ -2,7 +2,7 @@
 # counterpart: A00 Fig. 4.4
 # needs: tracks.csv outline.csv friction.csv
 # caption: The model at friction 0, 0.1, 0.2 and 0.35, between particles and against the walls, from the same bed and at a tenth of the critical step (the source's figure: at the critical step).
-width = 17; height = 8.2
+width = 17; height = 7.6
 load style
 load tools.'/pool-ball-piston/rig.gpi'
 array set_of[4] = ['friction 0', 'base', 'friction 0.2', 'friction 0.35']
@@ -16,6 +16,6 @@ do for [i=1:4] {
     if (i > 1) { set format y ''; unset label 999 }
     set label 1 'friction '.name_of[i] at graph 0.5,1.04 center tc rgb ink
     plot walls using 2:3 with lines lw 1.2 lc rgb ink, \
-         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.2 dt 1 + (p > 5) lc rgb of(p)
+         for [p=1:10] path(set_of[i], 0, p) using 5:6 with lines lw 1.4 lc rgb of(p)
 }
 unset multiplot

@@ -7,7 +7,7 @@ load style
 set xrange [0.4:10.6]; set yrange [0:100]
 set xtics 1; set xlabel 'particle'; set ylabel 'agreement score (%)'
 set tmargin at screen 1 - up(1.1); set rmargin at screen 1 - across(2.9)
-set key at screen 0.5,1 - up(0.1) center top maxrows 1
+set key at screen 0.5,1 - up(0.1) center top maxrows 1 width -9
 level(kind) = system(sprintf("awk -F, '$1 == \"%s\" && $2 == \"independent\" { print $3 }' '%s/null_summary.csv'", kind, data)) + 0
 new = level('new draw'); exact = level('exact mean')
 set label 1 'exact mean' at graph 1.01,first exact tc rgb faint

@@ -10,4 +10,6 @@ set tmargin at screen 1 - up(1.2); set lmargin at screen across(1.9)
 set logscale y; set format y '10^{%T}'; set xrange [0:5]; set xlabel 'time (s)'; set ylabel 'spread of replicates (mm)'
 set key at screen 0.5,1 - up(0.1) center top maxrows 2
 of(e) = rows('spread', sprintf('$1 == %g', e))
-plot for [k=1:5] of(error_of[k]) using 2:3 with lines lw 1.5 lc rgb colour[k] title name_of[k]
+found(e) = system(sprintf("awk -F, '$1 == %g { n = 1 } END { print n + 0 }' '%s/spread.csv'", e, data)) + 0
+plot for [k=1:5] found(error_of[k]) ? of(error_of[k]) : '< echo NaN,NaN,NaN' using 2:3 with lines lw 1.5 lc rgb colour[k] \
+     title (found(error_of[k]) ? name_of[k] : '')

@@ -12,9 +12,9 @@ do for [i=0:1] {
     set ylabel (i ? '' : 'height (cm)')
     if (i) { unset label 999 }
     plot walls using 2:3 with lines lw 1.4 lc rgb ink, \
-         for [p=5*i+1:5*i+5] for [r=1:5] path('base', r, p) using 5:6 with lines lw 0.5 lc rgb of(p), \
-         for [p=5*i+1:5*i+5] path('base', 0, p) using 5:6 with lines lw 2 lc rgb of(p), \
+         for [p=5*i+1:5*i+5] for [r=1:5] path('base', r, p) using 5:6 with lines lw 0.5 lc rgb of(p - 5 * i), \
+         for [p=5*i+1:5*i+5] path('base', 0, p) using 5:6 with lines lw 2 lc rgb of(p - 5 * i), \
          for [p=5*i+1:5*i+5] start('base', p) using 5:6 with points pt 7 ps 1.5 lc rgb '#ffffff', \
-         for [p=5*i+1:5*i+5] start('base', p) using 5:6:(sprintf('%d', $3)) with labels tc rgb of(p)
+         for [p=5*i+1:5*i+5] start('base', p) using 5:6:(sprintf('%d', $3)) with labels tc rgb of(p - 5 * i)
 }
 unset multiplot
