@@ -14,7 +14,7 @@ enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
 const handling_size SIZES[4] = {
     [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 0},
     [STUDY_BRIEF] = {"brief", {5, 2, 1, 1, 1, 2, 1}, SHAPES, ORIFICES, 32, 0},
-    [STUDY_PUBLISHED] = {"published", {20, 10, 4, 4, 1, 5, 1}, SHAPES, ORIFICES, 32, 3},
+    [STUDY_PUBLISHED] = {"published", {20, 10, 4, 4, 1, 3, 1}, SHAPES, ORIFICES, 32, 2},
     [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20, 1}, SHAPES, ORIFICES, 32, 20},
 };
 
