@@ -155,7 +155,8 @@ static void check_mass(scene_reader *r, const shape_item *shape) {
     clast_vec3 centre = centre_of_mass(&set);
     bool overlaps = overlap(&set);
     if (overlaps && shape->mass == 0)
-        FAULT(node, "mass", "found none, expected a mass in kg, > 0: the spheres overlap");
+        FAULT(node, "mass",
+              "found none, expected a mass in kg, > 0, or mass_from: union: the spheres overlap");
     if (overlaps && shape->inertia.x == 0)
         FAULT(node, "inertia", "found none, expected [x, y, z] in kg m2, > 0: the spheres overlap");
     if (!overlaps && shape->mass == 0 && length(centre) > 1e-6 * set.reach)
