@@ -17,11 +17,11 @@ static const char USAGE[] =
     "example: scene-needs validate --size quick\n";
 
 /* Differences of a pair scatter by 6 % at the button hopper (experiments/tune/README.md) and less
- * in beds of ten times as many bodies. `published` takes some 8 minutes of one core. */
+ * in beds of ten times as many bodies. `published` takes some 12 minutes of one core. */
 static const needs_size SIZES[] = {
     [STUDY_QUICK] = {{2, 2, 2}, true},
     [STUDY_BRIEF] = {{2, 2, 3}, false},
-    [STUDY_PUBLISHED] = {{4, 4, 5}, false},
+    [STUDY_PUBLISHED] = {{6, 6, 8}, false},
     [STUDY_FULL] = {{20, 20, 48}, false},
 };
 
