@@ -19,6 +19,34 @@ static double thesis_of(const folder *d, const char *quantity) {
     return p ? p->thesis : NAN;
 }
 
+/* ---- the particles themselves ---------------------------------------------------------------- */
+
+static void write_spheres(FILE *f, const char *figure, double label, const capsule *p, double x,
+                          double z) {
+    for (int i = 0; i < p->spheres; i++)
+        fprintf(f, "%s,%g,%.6g,%.6g,%.6g\n", figure, label,
+                x + (i - 0.5 * (p->spheres - 1)) * p->spacing, z, p->radius);
+}
+
+/* Figs 3.10 and 3.16: capsules of one shape; a particle in the first nest of the row below. */
+static int write_particles(const folder *d) {
+    static const double Q[3] = {1, 2, 4};
+    const double r = PSEUDO_RADIUS, length = 10 * r;
+    FILE *f = output_table(d->path, "particles.csv", "figure,label,x_m,z_m,radius_m");
+    if (!f) return 4;
+    for (int n = 3; n <= 9; n += 2) {
+        capsule p = sliding_particle(n);
+        write_spheres(f, "slide", n, &p, 0, p.radius);
+    }
+    for (int k = 0; k < 3; k++) {
+        capsule p = capsule_of((int)(4 * Q[k]) + 1, r, length - 2 * r, 1);
+        for (int i = 0; i < 3; i++) write_spheres(f, "row", Q[k], &p, (i + 0.5) * length, r);
+        double half = 0.5 * p.spacing;
+        write_spheres(f, "upper", Q[k], &p, 0.5 * length + half, r + sqrt(4 * r * r - half * half));
+    }
+    return output_close(f);
+}
+
 /* ---- A00 3.2 --------------------------------------------------------------------------------- */
 
 static int write_weight(const folder *d) {
@@ -386,9 +414,9 @@ int checks_write_tables(const checks_size *size, const char *name, const char *p
     }
     folder d = {path, numbers, size};
     static int (*const WRITE[])(const folder *) = {
-        write_weight,       write_collision, write_impulse_curves, write_impulse,
-        write_slides,       write_landing,   write_belts,          write_blows,
-        write_pseudo_paths, write_pseudo,    write_beds,           write_sensitivity};
+        write_particles, write_weight,  write_collision,  write_impulse_curves, write_impulse,
+        write_slides,    write_landing, write_belts,      write_blows,          write_pseudo_paths,
+        write_pseudo,    write_beds,    write_sensitivity};
     int bad = 0;
     for (size_t i = 0; i < sizeof WRITE / sizeof *WRITE; i++) bad |= WRITE[i](&d);
     bad |= write_about(&d, name);

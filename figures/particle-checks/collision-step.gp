@@ -23,7 +23,7 @@ set label 1 letter(3)
 set logscale xy; set xrange [0.007:8]; set yrange [1e-6:30]; set format '10^{%T}'; set xtics autofreq
 set xlabel 'step / critical step'; set ylabel 'error (%)'
 set key at graph 1,0.02 right bottom samplen 1.2
-spread_of = sprintf("< awk -F, 'NR > 1 { if (!($1 in l) || $4 < l[$1]) l[$1] = $4; if ($4 > m[$1]) m[$1] = $4 } END { for (r in l) print r \",\" l[r] \",\" m[r] }' '%s/impulse.csv' | sort -g", data)
+spread_of = sprintf("< awk -F, 'NR > 1 { if (!($1 in l) || $3 < l[$1]) l[$1] = $3; if ($3 > m[$1]) m[$1] = $3 } END { for (r in l) print r \",\" l[r] \",\" m[r] }' '%s/impulse.csv' | sort -g", data)
 plot spread_of using 1:2:3 with filledcurves lc rgb ours_pale title '1 mm to 1 m', \
      rows('impulse', '$2 == 0.01') using 1:4 with linespoints pt 2 ps 0.7 lw 1 lc rgb ours title 'worst place', \
      rows('impulse', '$2 == 0.01') using 1:3 with linespoints pt 7 ps 0.7 lw 1.2 lc rgb ours title 'on a step', \

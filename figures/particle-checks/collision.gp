@@ -12,9 +12,9 @@ set bmargin at screen low(1, 1); set tmargin at screen high(1, 1)
 set lmargin at screen left(1, 2); set rmargin at screen right(1, 2)
 set label 1 letter(1) at graph 0,1.06
 set xlabel 'time (ms)'; set ylabel 'height (mm)'; set xrange [0:180]; set xtics 40; set yrange [-0.3:10.5]
-plot all('vertical') using ($2*1000):($3*1000) with lines lw 1.4 lc rgb ours title 'upright', \
-     all('horizontal') using ($2*1000):($3*1000) with lines lw 1.4 dt (6,3) lc rgb thesis title 'lying', \
-     all('shared') using ($2*1000):($3*1000) with lines lw 1.4 dt (2,3) lc rgb frictional title 'lying, shared'
+plot all('shared') using ($2*1000):($3*1000) with lines lw 5 lc rgb ours_pale title 'lying, shared', \
+     all('vertical') using ($2*1000):($3*1000) with lines lw 1.4 lc rgb ours title 'upright', \
+     all('horizontal') using ($2*1000):($3*1000) with lines lw 1.4 dt (6,3) lc rgb thesis title 'lying'
 unset label 999
 set lmargin at screen left(2, 2); set rmargin at screen right(2, 2)
 set label 1 letter(2)

@@ -20,11 +20,11 @@ set lmargin at screen left(2, 3); set rmargin at screen right(2, 3)
 set label 1 letter(2); set ylabel 'way (m)'; set format y '%.1f'; set yrange [0:0.65]; set ytics 0.1
 plot of('each', 3) using 7:9 with lines lw 1.2 lc rgb ink title 'theory', \
      for [k=1:4] of('each', 2*k+1) using 7:8 every 24::(6*k-3) with points pt 2*k+2 ps 0.8 lc rgb tone[k] title sprintf('%d, each', 2*k+1), \
-     for [k=1:4] of('shared', 2*k+1) using 7:8 every 24::(6*k+9) with points pt 2*k+3 ps 0.7 lc rgb tone[k] title sprintf('%d, shared', 2*k+1)
+     for [k=1:4] of('shared', 2*k+1) using 7:8 every 24::(6*k) with points pt 2*k+3 ps 0.7 lc rgb tone[k] title sprintf('%d, shared', 2*k+1)
 set lmargin at screen left(3, 3); set rmargin at screen right(3, 3)
 set label 1 letter(3); set ylabel 'rebound / impact speed'; set xlabel 'spheres that touch'
 set xrange [0.5:9.5]; set xtics 1; set format x '%g'; set yrange [0:1]; set ytics 0.2
-set key at graph 0.97,0.98 right top
+set key at graph 0.98,0.98 right top samplen 1
 plot rows('landing', '$1 == "each"') using 2:3 with linespoints pt 7 ps 0.8 lw 1.2 lc rgb thesis title 'each its dashpot', \
      rows('landing', '$1 == "shared"') using 2:3 with linespoints pt 5 ps 0.8 lw 1.2 lc rgb ours title 'one shared'
 unset multiplot
