@@ -99,6 +99,20 @@ static void judge_pair(const court *c, const char *part, const char *scene, cons
     say(c, name, e && i ? i->evaluations / e->evaluations : (double)NAN);
 }
 
+/* At 10 %, which the few initial states can show; nothing where that study has not been run. */
+static void judge_discharge(const court *c) {
+    static const char NAME[] =
+        "hopper discharge, residence time: force evaluations at 10 %, implicit over explicit";
+    const chart_point *panel = chart_panel(c->chart, PART_DISCHARGE, "S12 3.9.3", "residence");
+    const chart_point *e = NULL, *i = NULL;
+    if (panel) {
+        e = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_explicit);
+        i = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_implicit);
+    }
+    interval ratio = interval_exact(e && i ? i->evaluations / e->evaluations : (double)NAN);
+    verdict_published(c->table, published_find(c->published, NAME), ratio, panel != NULL);
+}
+
 static void judge_schemes(const court *c) {
     for (int i = 0; i < 4; i++)
         judge_pair(c, PART_COLLISION, COLLISIONS[i], "largest", COLLISIONS[i]);
@@ -152,6 +166,7 @@ int chart_verdicts(const chart *points, const char *csv) {
     judge_orders(&c);
     judge_twins(&c);
     judge_schemes(&c);
+    judge_discharge(&c);
     judge_buttons(&c);
     int code = verdict_finish(c.table, csv, stdout);
     verdict_free(c.table);
