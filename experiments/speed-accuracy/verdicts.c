@@ -11,7 +11,7 @@
 #include "experiments/study/published.h"
 #include "experiments/study/verdict.h"
 
-enum { PAIRS_LEAST = 8 }; /* fewer say nothing of a difference */
+enum { PAIRS_LEAST = 8, STATES_LEAST = 4 }; /* fewer say nothing of a difference */
 
 static const char *const COLLISIONS[4] = {"linear e=1", "linear e=0.5", "Hertz e=1", "Hertz e=0.5"};
 
@@ -99,7 +99,8 @@ static void judge_pair(const court *c, const char *part, const char *scene, cons
     say(c, name, e && i ? i->evaluations / e->evaluations : (double)NAN);
 }
 
-/* At 10 %, which the few initial states can show; nothing where that study has not been run. */
+/* At 10 %, which the few initial states can show; nothing where that study has not been run, or at
+ * quick size. */
 static void judge_discharge(const court *c) {
     static const char NAME[] =
         "hopper discharge, residence time: force evaluations at 10 %, implicit over explicit";
@@ -110,7 +111,8 @@ static void judge_discharge(const court *c) {
         i = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_implicit);
     }
     interval ratio = interval_exact(e && i ? i->evaluations / e->evaluations : (double)NAN);
-    verdict_published(c->table, published_find(c->published, NAME), ratio, panel != NULL);
+    verdict_published(c->table, published_find(c->published, NAME), ratio,
+                      panel && panel->samples >= STATES_LEAST);
 }
 
 static void judge_schemes(const court *c) {
