@@ -62,22 +62,26 @@ static int write_flows(const discharge_study *s) {
 
 /* ---- residence times ------------------------------------------------------------------------- */
 
+static void put_residence(FILE *f, const discharge_study *s, int method, double step) {
+    interval mean = residence_at(s, method, 0, step);
+    interval drift = residence_drift(s, method, 0, STEP[s->size->first_step], step);
+    interval ratio = residence_ratio(s, method, EXPLICIT, 0, step);
+    if (mean.n == 0) return;
+    fprintf(f, "%s,%g,%.4g,%d,%.6g,%.4g,%.4g,%.4g,%.6g,%.4g\n", method_name(method), step,
+            shortest_contact() / step, mean.n, mean.mean, mean.half, drift.mean, drift.half,
+            ratio.mean, ratio.half);
+}
+
+/* Beyond the five steps as far as runs come to their end. */
 static int write_residence(const discharge_study *s) {
-    FILE *f =
-        output_table(s->data, "residence.csv",
-                     "method,step_s,resolution,n,mean_s,half_s,drift,drift_half,over_explicit,"
-                     "over_explicit_half");
+    FILE *f = output_table(s->data, "residence.csv",
+                           "method,step_s,resolution,n,mean_s,half_s,drift,drift_half,"
+                           "over_explicit,over_explicit_half");
     if (!f) return 4;
-    double first = STEP[s->size->first_step];
-    for (int method = 0; method < METHODS; method++)
-        for (int i = s->size->first_step; i < STEPS; i++) {
-            interval mean = residence_at(s, method, 0, STEP[i]);
-            interval drift = residence_drift(s, method, 0, first, STEP[i]);
-            interval ratio = residence_ratio(s, method, EXPLICIT, 0, STEP[i]);
-            fprintf(f, "%s,%g,%.4g,%d,%.6g,%.4g,%.4g,%.4g,%.6g,%.4g\n", method_name(method),
-                    STEP[i], shortest_contact() / STEP[i], mean.n, mean.mean, mean.half, drift.mean,
-                    drift.half, ratio.mean, ratio.half);
-        }
+    for (int method = 0; method < METHODS; method++) {
+        for (int i = s->size->first_step; i < STEPS; i++) put_residence(f, s, method, STEP[i]);
+        for (int i = 0; i < s->size->scans; i++) put_residence(f, s, method, SCAN[i]);
+    }
     return output_close(f);
 }
 
@@ -135,12 +139,13 @@ static void put_interval(FILE *f, interval x) {
 }
 
 static int write_sensitivity(const discharge_study *s) {
-    FILE *f =
-        output_table(s->data, "sensitivity.csv",
-                     "assumption,variant,n,residence_s,residence_half,drift_explicit,"
-                     "drift_explicit_half,drift_implicit,drift_implicit_half,through_explicit_s,"
-                     "limit_explicit_half,limit_implicit_s,limit_implicit_half,energy_explicit_s,"
-                     "energy_explicit_half,energy_implicit_s,energy_implicit_half");
+    FILE *f = output_table(s->data, "sensitivity.csv",
+                           "assumption,variant,n,residence_s,residence_half,drift_explicit,"
+                           "drift_explicit_half,drift_implicit,drift_implicit_half,"
+                           "through_explicit_s,through_explicit_half,through_implicit_s,"
+                           "through_implicit_half,stop_explicit_s,stop_explicit_half,"
+                           "stop_implicit_s,stop_implicit_half,energy_explicit_s,"
+                           "energy_explicit_half,energy_implicit_s,energy_implicit_half");
     if (!f) return 4;
     for (int v = 0; s->variants > 1 && v < s->variants; v++) {
         const double from = STEP[1], to = STEP[STEPS - 1];

@@ -105,22 +105,26 @@ static void judge_prices(const court *c) {
 
 /* ---- what is printed beside ------------------------------------------------------------------ */
 
+static void print_residence(const discharge_study *s, int method, double step) {
+    char mean[40], drift[40], ratio[40];
+    interval x[3] = {residence_at(s, method, 0, step),
+                     times(residence_drift(s, method, 0, STEP[s->size->first_step], step), 100),
+                     residence_ratio(s, method, EXPLICIT, 0, step)};
+    if (x[0].n == 0) return;
+    interval_text(&x[0], mean, sizeof mean);
+    interval_text(&x[1], drift, sizeof drift);
+    interval_text(&x[2], ratio, sizeof ratio);
+    printf("%-16s %6g %6.2f %18s %18s %18s\n", method_name(method), 1e3 * step,
+           shortest_contact() / step, mean, drift, ratio);
+}
+
 static void print_residences(const discharge_study *s) {
     printf("%-16s %6s %6s %18s %18s %18s\n", "method", "ms", "steps", "residence, s", "drift, %",
            "over explicit");
-    for (int method = 0; method < METHODS; method++)
-        for (int i = s->size->first_step; i < STEPS; i++) {
-            char mean[40], drift[40], ratio[40];
-            interval x[3] = {
-                residence_at(s, method, 0, STEP[i]),
-                times(residence_drift(s, method, 0, STEP[s->size->first_step], STEP[i]), 100),
-                residence_ratio(s, method, EXPLICIT, 0, STEP[i])};
-            interval_text(&x[0], mean, sizeof mean);
-            interval_text(&x[1], drift, sizeof drift);
-            interval_text(&x[2], ratio, sizeof ratio);
-            printf("%-16s %6g %6.2f %18s %18s %18s\n", method_name(method), 1e3 * STEP[i],
-                   shortest_contact() / STEP[i], mean, drift, ratio);
-        }
+    for (int method = 0; method < METHODS; method++) {
+        for (int i = s->size->first_step; i < STEPS; i++) print_residence(s, method, STEP[i]);
+        for (int i = 0; i < s->size->scans; i++) print_residence(s, method, SCAN[i]);
+    }
 }
 
 static void print_limits(const discharge_study *s) {

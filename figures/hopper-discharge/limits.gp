@@ -6,8 +6,8 @@ width = 17; height = 8.5
 load style
 load tools.'/hopper-discharge/discharge.gpi'
 set xlabel 'initial state'; set ylabel 'time step, ms'
-set yrange [0.6:2.0]
 stats rows('limits', '$2 == 0') using 3 nooutput
+set yrange [0.6:2.0]
 set xrange [0.5:STATS_max + 0.5]; set xtics 1
 set rmargin at screen 1 - across(5.4); set key at screen 1 - across(5.2),1 - up(0.5) left top
 set arrow 1 from graph 0, first 1.0 to graph 1, first 1.0 nohead dt '-' lw 1.2 lc rgb tints[2]
