@@ -66,8 +66,7 @@ static double mean_height(clast_world *w) {
     return sum / (double)b.count;
 }
 
-/* Where every sphere that touches has its dashpot, 9 and 17 of them do not bear the critical step.
- */
+/* Where every sphere that touches has its dashpot, 17 of them do not bear the critical step. */
 static double step_of(const bed_case *c) {
     return c->spheres > 5 ? STEP * 4 / c->spheres : STEP;
 }
