@@ -62,7 +62,7 @@ typedef struct chart_point {
     bool reference;    /* what others are compared with: its error is 0 by definition */
     int samples;       /* pairs, or places in a step */
     double overlap;    /* largest, of a radius; NAN where it was not looked at */
-    char message[160]; /* why there is no error; "" */
+    char message[160]; /* why there is no error, or why nobody should run it so; "" */
     /* set by chart_finish() */
     double bound; /* what the error can be said to be at most; INFINITY without one */
     bool front_cost, front_evaluations;
@@ -90,7 +90,8 @@ void chart_fold_hash(chart *c, uint64_t hash);
  * Luck must not make a setting look good. The bound of a statistical error is the end of its
  * interval; of another one, the largest error of the same family at this level and all higher ones
  * (finer steps), because an error that happens to change its sign between two steps is no merit.
- * Bounds that agree in three digits are alike. References are on no front. */
+ * Bounds that agree in three digits are alike. References and points with a
+ * message are on no front. */
 void chart_finish(chart *c);
 
 /* Slope of a front of bounds against force evaluations, points with `from` to `to` steps per
@@ -103,7 +104,7 @@ typedef enum chart_axis { CHART_COST, CHART_EVALUATIONS } chart_axis;
 typedef bool chart_filter(const chart_point *p);
 
 /* The cheapest setting of a panel whose bound is at most `tolerance`; NULL when there is none. The
- * reference of a panel counts. filter may be NULL. */
+ * reference of a panel counts, a point with a message does not. filter may be NULL. */
 const chart_point *chart_pick(const chart *c, const chart_point *panel, double tolerance,
                               chart_axis axis, chart_filter *filter);
 

@@ -75,7 +75,7 @@ static void mark(chart *c, int first, chart_axis axis) {
     CLAST_ASSERT(cost && on_front);
     for (int i = 0; i < c->count; i++) {
         const chart_point *p = &c->points[i];
-        bool counts = chart_same_panel(p, &c->points[first]) && !p->reference;
+        bool counts = chart_same_panel(p, &c->points[first]) && !p->reference && !p->message[0];
         cost[i] = counts ? cost_along(p, axis) : (double)NAN;
         error[i] = three_digits(p->bound);
     }
@@ -154,7 +154,7 @@ const chart_point *chart_pick(const chart *c, const chart_point *panel, double t
     const chart_point *best = NULL;
     for (int i = 0; i < c->count; i++) {
         const chart_point *p = &c->points[i];
-        if (!chart_same_panel(p, panel) || (filter && !filter(p))) continue;
+        if (!chart_same_panel(p, panel) || p->message[0] || (filter && !filter(p))) continue;
         if (!(p->bound <= tolerance) || !isfinite(cost_along(p, axis))) continue;
         if (!best || cost_along(p, axis) < cost_along(best, axis)) best = p;
     }

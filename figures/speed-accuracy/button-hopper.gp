@@ -1,7 +1,7 @@
 # title: Button hopper: error against cost
 # counterpart: none, our own measurement
 # needs: points.csv button_runs.csv
-# caption: Flow rate (above) and bulk density of the flowing bed (below) at an orifice of 10 cm, one thing changed at a time from the thesis's setting (step 4.5 µs, E = 3.5 GPa, 7 spheres, double); softer contacts with a step that is longer as E^{−2/5}. Error: size of the mean of paired differences (same bed), bars: its 95 % interval. Triangles: the interval holds zero; the difference cannot be told from none, and is at most where the triangle is. Black: front of what errors are at most. Grey line: the thesis's setting. Evaluations: of element spheres of one button.
+# caption: Flow rate (above) and bulk density of the flowing bed (below) at an orifice of 10 cm, one thing changed at a time from the thesis's setting (step 4.5 µs, E = 3.5 GPa, 7 spheres, double); softer contacts with a step that is longer as E^{−2/5}. Error: size of the mean of paired differences (same bed), bars: its 95 % interval. Triangles: the interval holds zero; the difference cannot be told from none, and is at most where the triangle is. Black: front of what errors are at most, without settings that the guards would stop (E / 1000 and less). Grey line: the thesis's setting. Evaluations: of element spheres of one button.
 width = 17; height = 15
 load style
 load tools.'/speed-accuracy/statistical.gpi'

@@ -145,9 +145,12 @@ static void intervals_count(void **state) {
     chart_point elsewhere = scattered("a", 0.1, 0.0001, 0.0001);
     elsewhere.quantity = "duration";
     add(&c, elsewhere);
+    chart_point stopped = scattered("b", 0.3, 0.001, 0.002);
+    snprintf(stopped.message, sizeof stopped.message, "guards would stop it");
+    add(&c, stopped);
     chart_finish(&c);
-    const bool on_front[6] = {false, true, true, false, false, true};
-    for (int i = 0; i < 6; i++) assert_int_equal(c.points[i].front_cost, on_front[i]);
+    const bool on_front[7] = {false, true, true, false, false, true, false};
+    for (int i = 0; i < 7; i++) assert_int_equal(c.points[i].front_cost, on_front[i]);
     assert_false(chart_is_distinct(&c.points[1]));
     assert_true(chart_is_distinct(&c.points[2]));
     assert_false(chart_is_distinct(&c.points[3]));
