@@ -42,7 +42,7 @@ const variant VARIANTS[] = {
     {BUNCH, "orifice while settling", "open", {"opened=1 us"}, {NULL}, 0},
     {BUNCH, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
     {SINGULATION, "Young's modulus", "3.5 GPa", {SOFT, "step=84 us"}, {SOFT, "step=84 us"}, 0},
-    {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=never"}, 0},
+    {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=1000 s"}, 0},
     {SINGULATION, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
     {DISC, "one sphere", "as cut", {NULL}, {"count=1"}, 0},
     {DISC, "one sphere", "8 x 8 cells", {NULL}, {"count=1"}, 8},
@@ -53,7 +53,7 @@ const variant VARIANTS[] = {
     {BIN, "time step", "a half", {"step=5 us"}, {"step=5 us"}, 0},
     {BIN, "friction while settling", "0.5", {"friction=0.5", "wall_friction=0.5"}, {NULL}, 0},
     {BIN, "friction while flowing", "0.2", {NULL}, {"friction=0.2", "wall_friction=0.2"}, 0},
-    {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=never"}, 0},
+    {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=1000 s"}, 0},
     {BIN, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
 };
 /* clang-format on */
