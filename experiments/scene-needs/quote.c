@@ -16,8 +16,8 @@ static void quote_row(const need *n, FILE *to) {
         char text[NEED_TEXT];
         interval_text(&change, text, sizeof text);
         bool lost_in_scatter = !(n->error_low > 0) && !(n->error_high < 0);
-        fprintf(to, "%s%s %%%s", n->error > 0 ? "+" : "", text,
-                lost_in_scatter ? " (not told from 0)" : "");
+        fprintf(to, "%s%s %% (%d pairs%s)", n->error > 0 ? "+" : "", text, n->replicates,
+                lost_in_scatter ? ", not told from 0" : "");
     }
     fprintf(to, ", at %.2f of the cost\n", n->cost);
 }

@@ -1,7 +1,7 @@
 # title: What changes without each feature
 # counterpart: none, the sources have no such study
 # needs: needs.csv
-# caption: Mean change of the four observables when one feature of the model is left out, paired by seed, with its 95 % interval. Features that a scene does not have are left blank; a cross: without the feature there is no value.
+# caption: Mean change of the four observables when one feature of the model is left out, paired by seed, with its 95 % interval. Features that a scene does not have are left blank; a cross: without the feature some runs give no value.
 width = 17; height = 9.5
 load style
 load tools.'/scene-needs/needs.gpi'

@@ -1,7 +1,7 @@
 # title: What each feature of the model is worth, and what leaving it out saves
 # counterpart: none, the sources have no such study
 # needs: needs.csv
-# caption: Size of the mean change of an observable without one feature, paired by seed, with its 95 % interval, against processor time per simulated second over that of the scene as it stands. Hollow marks at the upper end of an interval that holds zero: the change is not told from zero, and is at most this. Left of 1 is cheaper. Variants that give no value (no heap is left) are named in the corner.
+# caption: Size of the mean change of an observable without one feature, paired by seed, with its 95 % interval, against processor time per simulated second over that of the scene as it stands. Hollow marks at the upper end of an interval that holds zero: the change is not told from zero, and is at most this. Left of 1 is cheaper. Features without which some runs give no value (no heap is left) are named in the corner.
 width = 17; height = 14.5
 load style
 load tools.'/scene-needs/needs.gpi'
@@ -21,7 +21,7 @@ do for [k=1:4] {
     set arrow 1 from 1, graph 0 to 1, graph 1 nohead lw 0.9 lc rgb faint back
     if (column == 0) { set ylabel 'size of the change, %' tc rgb ink } else { unset ylabel }
     gone = system(sprintf("%s | awk -F '\t' '$11 > 0 { printf \"%%s%%s\", n++ ? \", \" : \"\", $12 }'", command(k)))
-    set label 10 (strlen(gone) ? 'no value without '.gone : '') at graph 0.03,0.05 font small tc rgb faint
+    set label 10 (strlen(gone) ? 'no value in some runs without '.gone : '') at graph 0.03,0.05 font small tc rgb faint
     plot for [i=1:11] table(k) using ($1 == i && $7 == 1 ? $2 : NaN):4:5:6 with yerrorbars pt mark[i] ps 0.8 lw 1.1 lc rgb tint[i], \
          for [i=1:11] table(k) using ($1 == i && $7 == 1 ? $2 : NaN):4:3 with xerrorbars pt mark[i] ps 0.8 lw 1.1 lc rgb tint[i], \
          for [i=1:11] table(k) using ($1 == i && $7 == 0 ? $2 : NaN):6 with points pt mark[i] - 1 ps 0.8 lw 1.1 lc rgb tint[i]
