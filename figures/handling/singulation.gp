@@ -4,7 +4,7 @@
 # caption: Way of each spheroid along the conveyors, first run. The slow one ends at 96 cm, the fast one carries three times as fast (slopes); at 3 m they wait at the end wall. Circles: where a spheroid is looked at (1.3 m), filled when it touches another one there. One that lies across the belt rolls on it and hardly moves.
 width = 17; height = 9
 load style
-set xrange [0:*]; set yrange [0:300]
+set xrange [0:26]; set yrange [0:300]
 set xlabel 'time (s)'; set ylabel 'x (cm)'
 set arrow 1 from graph 0,first 96 to graph 1,first 96 nohead lw 1 lc rgb experiment
 set arrow 2 from graph 0,first 130 to graph 1,first 130 nohead dt (4,4) lw 0.8 lc rgb faint
