@@ -11,7 +11,7 @@ array words[3] = ['independent frames', 'one draw for a whole track', 'our repli
 array tint[3] = [faint, frictional, ours]
 own = system(sprintf("sed -n 's/^mean_score=//p' '%s/about.txt'", data)) + 0
 set multiplot
-set xrange [0:101]; set xtics 10; set yrange [0:1]; set ytics 0.25
+set xrange [0:101]; set xtics 10; set yrange [0:0.75]; set ytics 0.25; set lmargin at screen across(1.8)
 do for [i=1:2] {
     set tmargin at screen 1 - up(i == 1 ? 0.9 : 5.5); set bmargin at screen 1 - up(i == 1 ? 4.7 : 9.3)
     set xlabel (i == 2 ? 'mean score (%)' : ''); set ylabel 'part of the draws'
