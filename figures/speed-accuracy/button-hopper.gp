@@ -16,7 +16,7 @@ array quantity[2] = ['rate', 'density']
 array ytitle[2] = ['error of the flow rate', 'error of the bulk density']
 reference(axis) = system(sprintf("awk -F, '$1 == \"button-hopper\" && $18 == 1 { print $%d; exit }' '%s/points.csv'", axis, data)) + 0
 set multiplot
-set yrange [1e-3:1]; set ytics 10
+set yrange [5e-3:1]; set ytics 10
 do for [i=1:4] {
     column = i % 2 ? 0 : 1; row = i > 2 ? 1 : 0
     set lmargin at screen left_of(i); set rmargin at screen right_of(i); set bmargin at screen bottom_of(i, 0.7); set tmargin at screen top_of(i, 0.7)
@@ -30,6 +30,6 @@ do for [i=1:4] {
     plot front(panel, axis) using 1:2 with steps lw 2 lc rgb ink notitle, \
          for [k=1:families] seen(panel, k) using axis:13:(floor_of($14)):15 with yerrorbars pt family_mark[k] ps 0.8 lw 1.1 lc rgb family_tint[k] title family_name[k], \
          for [k=1:families] unseen(panel, k) using axis:15 with points pt 11 ps 0.9 lc rgb family_tint[k] notitle, \
-         rows('points', panel) using axis:15:5:(paint_of(strcol(4))) with labels center offset 0,0.6 font small tc rgb variable notitle
+         rows('points', panel) using axis:15:5:(paint_of(strcol(4))) with labels rotate by 55 left offset 0.1,0.5 font small tc rgb variable notitle
 }
 unset multiplot
