@@ -60,6 +60,7 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "law %d, tangent %d, friction limit %d, unloading %d\n", (int)d->law,
             (int)d->tangent, (int)d->limit, (int)d->unloading);
     if (w->special.shared) fprintf(t, "shared dashpots\n");
+    if (w->user_law.force) fprintf(t, "library %016llx\n", (unsigned long long)w->user_law.hash);
     if (d->law == CLAST_LAW_MAW) fprintf(t, "impact speed %.17g\n", w->plan.impact_speed);
     fprintf(t, "motion %d, plane axis %d\n", (int)d->motion, d->plane_axis);
     fprintf(t, "global damping %.17g, precision %d%s\n", d->global_damping, (int)d->precision,
@@ -89,7 +90,10 @@ static void describe_materials(FILE *t, const clast_world *w) {
                     c->cohesion);
             fprintf(t, " stiffness %.17g tangential ratio %.17g restitution %.17g", c->stiffness,
                     c->ratio, c->tangential_restitution);
-            fprintf(t, " rolling %.17g dissipation %.17g\n", c->rolling, c->dissipation);
+            fprintf(t, " rolling %.17g dissipation %.17g", c->rolling, c->dissipation);
+            for (int k = 0; w->user_law.force && k < CLAST_LAW_PARAMETERS; k++)
+                fprintf(t, " %.17g", c->parameter[k]);
+            fprintf(t, "\n");
         }
 }
 
@@ -226,7 +230,7 @@ static void save_field(h5_file *f, const char *name, h5_type type, size_t width,
     X(history.overlap, H5_F64, 1)                                                                  \
     X(history.normal, H5_F64, 1)                                                                   \
     X(history.spring, H5_F64, 3)
-#define PLASTIC "/contacts/history.plastic" /* of a law that yields, and of no other */
+#define PLASTIC "/contacts/history.plastic" /* where a law yields or is the user's own */
 
 static void save_contacts(h5_file *f, clast_world *w) {
     records_collect(w);
@@ -235,7 +239,7 @@ static void save_contacts(h5_file *f, clast_world *w) {
     save_field(f, "/contacts/" #field, type, width, offsetof(contact_record, field), &w->records);
     RECORD_FIELDS(X)
 #undef X
-    if (clast_law_info_of(w->def.law)->yields)
+    if (w->history_columns > HISTORY_PLASTIC)
         save_field(f, PLASTIC, H5_F64, 1, offsetof(contact_record, history.plastic), &w->records);
 }
 

@@ -3,6 +3,7 @@
 #include "engine/contact_user.h"
 
 #include <dlfcn.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "engine/clast_law.h"
@@ -29,6 +30,16 @@ static clast_status check_entry(clast_world *w, const char *path, const char *na
     return CLAST_OK;
 }
 
+/* A checkpoint goes on under the law that it was made with (FNV-1a). */
+static uint64_t hash_of_file(const char *path) {
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    FILE *f = fopen(path, "rb");
+    for (int c; f && (c = getc(f)) != EOF;)
+        hash = (hash ^ (unsigned char)c) * UINT64_C(0x100000001b3);
+    if (f) fclose(f);
+    return hash;
+}
+
 clast_status clast_world_use_law(clast_world *w, const char *path, const char *name) {
     CLAST_ASSERT(w && path && name && !w->prepared);
     if (w->def.law != CLAST_LAW_USER) return refuse(w, path, "the world has another law");
@@ -46,13 +57,13 @@ clast_status clast_world_use_law(clast_world *w, const char *path, const char *n
         return status;
     }
     user_law_free(w);
-    w->user_law = (user_law){library, entry->force};
+    w->user_law = (user_law){library, entry->force, hash_of_file(path)};
     return CLAST_OK;
 }
 
 void user_law_free(clast_world *w) {
     if (w->user_law.library) dlclose(w->user_law.library);
-    w->user_law = (user_law){NULL, NULL};
+    w->user_law = (user_law){NULL, NULL, 0};
 }
 
 /* ---- asking ---------------------------------------------------------------------------------- */
@@ -110,12 +121,15 @@ static double overlap_of_impact(const clast_world *w, const clast_law_pair *pair
     return high;
 }
 
-/* N/m, the mean stiffness up to the largest overlap of an impact; 0 when there is none. */
+/* N/m, at the largest overlap of an impact, where a law that hardens is stiffest; 0 when there is
+ * none. */
 double user_law_stiffness(const clast_world *w, const pair_coef *c, double radius, double mass,
                           double speed) {
     clast_law_pair pair = pair_of(c, radius, mass);
     double overlap = overlap_of_impact(w, &pair, speed);
-    return isinf(overlap) ? 0 : user_law_elastic_force(w, c, radius, mass, overlap) / overlap;
+    if (isinf(overlap)) return 0;
+    double near = 1e-4 * overlap, more = user_law_elastic_force(w, c, radius, mass, overlap + near);
+    return (more - user_law_elastic_force(w, c, radius, mass, overlap - near)) / (2 * near);
 }
 
 /* ---- one contact ----------------------------------------------------------------------------- */

@@ -67,7 +67,8 @@ void entry_push(clast_world *w, contact_list *l, int32_t a, int32_t b, const his
     entry_reserve(w, l, l->count + 1);
     size_t i = l->count++;
     l->a[i] = a, l->b[i] = b;
-    vec3 spring = w->special.spring ? to_kernel(w, h->spring) : v3(0, 0, 0);
+    bool remembers = w->special.spring || w->def.law == CLAST_LAW_USER;
+    vec3 spring = remembers ? to_kernel(w, h->spring) : v3(0, 0, 0);
     double values[HISTORY_COLUMNS] = {h->overlap, h->normal, spring.x,
                                       spring.y,   spring.z,  h->plastic};
     for (int k = 0; k < w->history_columns; k++) set_column(w, l, k, i, values[k]);

@@ -79,12 +79,15 @@ LANE_INLINE real turn_per_force(real (*const in)[LANES], int i, three t, law_nee
     return diagonal + 2 * across;
 }
 
-/* From the effective mass of the whole bodies to that of the law. */
+/* From the effective mass of the whole bodies to that of the law, and never above it: normals that
+ * oppose each other (a ball between the teeth of a fork) would leave a mass without end. Two equal
+ * spheres meet that bound where their normals lie 90 degrees apart. */
 LANE_INLINE void shared_mass_lane(batch *b, shared_batch *g, int i, law_need need) {
     three n = COLUMN3(g->n, i);
     real turning = turn_per_force(g->ia, i, COLUMN3(g->ta, i), need) +
                    turn_per_force(g->ib, i, COLUMN3(g->tb, i), need);
-    b->mass[i] = g->part[i] / (dot3(need, n, n) / b->mass[i] + turning);
+    real whole = b->mass[i], shared = g->part[i] / (dot3(need, n, n) / whole + turning);
+    b->mass[i] = shared < whole ? shared : whole;
 }
 
 /* ---- rows into columns ----------------------------------------------------------------------- */

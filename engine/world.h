@@ -350,6 +350,7 @@ typedef struct integrator integrator;
 typedef struct user_law {
     void *library;
     clast_law_function *force;
+    uint64_t hash; /* of the file */
 } user_law;
 
 struct clast_world {

@@ -311,6 +311,40 @@ static void two_normals_make_one_dashpot(void **state) {
     }
 }
 
+/* Where the ball swings after 50 steps, squeezed between the teeth of a fork; m/s across. */
+static double between_teeth(int law, clast_clump_contact mode, double angle) {
+    clast_world_def def = bare_def(LAW[law]);
+    def.clump_contact = mode, def.impact_speed = SPEED;
+    def.contact_resolution = 100, def.max_residual = 1e9;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(E, 0);
+    two_materials m = add_materials(w, &pair);
+    double away = 1.998 * R, x = away * sin(angle), radius[2] = {R, R};
+    clast_vec3 teeth[2] = {vec(x, 0, 0), vec(-x, 0, 0)};
+    clast_shape_def fork = {"fork", m.soft, 2, teeth, radius, M, moments(), 0, NULL};
+    int shape = clast_shape_add(w, &fork), ball = clast_shape_add_sphere(w, "ball", R, m.soft);
+    add_body(w, shape, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
+    add_body(w, ball, vec(0, 0, away * cos(angle)), vec(0.01 * SPEED, 0, 0), vec(0, 0, 0));
+    steps(w, 50);
+    double across = body_of(w, 1).velocity.x;
+    clast_world_free(w);
+    return across;
+}
+
+/* Normals that oppose each other leave no mass along their sum; each contact then has the dashpot
+ * that it has for itself, bit by bit. */
+static void opposing_normals_have_dashpots_of_their_own(void **state) {
+    (void)state;
+    static const double DEGREES[] = {80, 89.9, 90}; /* of the normals, from the fork's axis */
+    for (int law = 0; law < 2; law++)
+        for (int i = 0; i < 3; i++) {
+            double angle = DEGREES[i] * PI / 180;
+            double one = between_teeth(law, CLAST_CLUMP_SHARED, angle);
+            assert_true(isfinite(one) && one != 0.01 * SPEED);
+            assert_true(one == between_teeth(law, CLAST_CLUMP_EACH, angle));
+        }
+}
+
 /* ---- sliding --------------------------------------------------------------------------------- */
 
 /* m, down a slope of 30 degrees within 0.25 s. One sphere would roll, so it is hard to turn. */
@@ -432,5 +466,7 @@ TEST_MAIN(cmocka_unit_test(a_flat_landing_rebounds_as_one_sphere),
           cmocka_unit_test(a_rake_lands_as_one_sphere_would),
           cmocka_unit_test(both_ends_land_as_those_of_two_spheres),
           cmocka_unit_test(without_damping_nothing_is_lost),
-          cmocka_unit_test(two_normals_make_one_dashpot), cmocka_unit_test(all_slide_alike),
-          cmocka_unit_test(single_spheres_see_no_difference), cmocka_unit_test(other_laws_say_so))
+          cmocka_unit_test(two_normals_make_one_dashpot),
+          cmocka_unit_test(opposing_normals_have_dashpots_of_their_own),
+          cmocka_unit_test(all_slide_alike), cmocka_unit_test(single_spheres_see_no_difference),
+          cmocka_unit_test(other_laws_say_so))

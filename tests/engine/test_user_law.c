@@ -121,6 +121,26 @@ static void memory_is_kept_as_a_plastic_overlap(void **state) {
     clast_world_free(own), clast_world_free(built_in);
 }
 
+/* A checkpoint goes on to the same bits, under the law and the numbers that it was made with. */
+static void a_restart_asks_for_the_same_law(void **state) {
+    (void)state;
+    scratch_name file = scratch_file("user_law.h5");
+    clast_world *first = plastic_scene(true), *again = plastic_scene(true);
+    steps(first, 300);
+    assert_int_equal(clast_checkpoint_save(first, file.text, ""), CLAST_OK);
+    if (clast_checkpoint_load(again, file.text, NULL) != CLAST_OK)
+        fail_msg("%s", clast_world_error(again));
+    steps(first, 500), steps(again, 500);
+    assert_true(clast_world_hash(first) == clast_world_hash(again));
+    clast_world *other = plastic_scene(true);
+    clast_pair_def pair = {
+        .restitution = 0.6, .stiffness = STIFF, .parameter = {STIFF, STIFF / 0.5}};
+    assert_int_equal(clast_pair_set(other, 0, 0, &pair), CLAST_OK);
+    assert_int_equal(clast_checkpoint_load(other, file.text, NULL), CLAST_ERR_MISMATCH);
+    clast_world_free(first), clast_world_free(again), clast_world_free(other);
+    remove(file.text);
+}
+
 /* ---- the example ----------------------------------------------------------------------------- */
 
 /* With u = delta'^2 both ways are linear in u: on the way in u' = -a u - b x, a = 2q/m, b = 2k/m,
@@ -242,6 +262,7 @@ static void the_step_follows_from_the_law(void **state) {
 TEST_MAIN(cmocka_unit_test(linear_law_is_the_engines_in_space),
           cmocka_unit_test(linear_law_is_the_engines_in_a_plane),
           cmocka_unit_test(memory_is_kept_as_a_plastic_overlap),
+          cmocka_unit_test(a_restart_asks_for_the_same_law),
           cmocka_unit_test(the_example_rebounds_as_its_closed_form),
           cmocka_unit_test(what_cannot_be_loaded_is_said),
           cmocka_unit_test(a_world_without_its_law_does_not_run),
