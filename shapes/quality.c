@@ -118,9 +118,8 @@ static void meet(const shape_sphere *one, const shape_sphere *other, int count, 
         }
 }
 
-/* Contacts: pairs that touch once the first contact has an overlap of 1 % of the smallest radius.
- */
-/* `equal`: radius of the sphere of the same volume. */
+/* Contacts: pairs that touch once the first contact has an overlap of 1 % (and of 10 %) of `equal`,
+ * the radius of the sphere of the same volume. */
 static void count_pairs(shape_quality *q, const shape_sphere *spheres, int count, shape_vec middle,
                         double equal) {
     shape_sphere *one = malloc((size_t)count * sizeof *one),
