@@ -51,6 +51,8 @@ double pair_young(void);
 capsule sliding_particle(int spheres);
 double sliding_young(void); /* Pa, of the same matter as pair_particle() */
 
+#define RIGID 1e4 /* over the particle's modulus: deforms by a ten-thousandth of what it does */
+
 /* A world of one matter and one shape (both 0), gravity along -z when the slope is 0. */
 typedef struct setting {
     clast_law law;       /* CLAST_LAW_USER: law.c */
@@ -64,7 +66,7 @@ typedef struct setting {
     bool in_plane;       /* bodies move in x and z and turn about y */
     bool shared;         /* one dashpot for all spheres that touch, else each its own */
     bool mixed;          /* precision */
-    bool stiff_wall;     /* the floor is a thousand times stiffer than the particle */
+    bool rigid_wall;     /* RIGID times as stiff as the particle, else of its matter */
     bool guards_look_on; /* runs with steps that are too large on purpose */
 } setting;
 
@@ -97,8 +99,9 @@ touch touch_of(clast_world *w, uint32_t id, const setting *s, const capsule *p);
 typedef struct rest_case {
     bool horizontal;
     double damping, step;
-    bool shared, mixed, stiff_wall;
-    double radius; /* m; 0: that of pair_particle() */
+    bool shared, mixed;
+    bool soft_floor; /* of the particle's matter; A00 3.2 has a rigid one */
+    double radius;   /* m; 0: that of pair_particle() */
 } rest_case;
 
 typedef struct rest {
@@ -141,7 +144,8 @@ drop drop_run(const drop_case *c, FILE *trace);
  * comes. */
 typedef struct elastic_case {
     double fraction, height, late;
-    bool weight; /* gravity acts */
+    bool weight;     /* gravity acts */
+    bool soft_floor; /* of the particle's matter; A00 3.3 has a rigid one */
 } elastic_case;
 
 /* Error of half the area under the force against m v, A00 3.5. */
@@ -220,9 +224,9 @@ typedef struct pseudo {
     double by_way[PSEUDO_WAYS]; /* friction when only so much of the way is looked at */
     double friction;            /* of the slope of t^2 over the way, A00 3.13 */
     double friction_end;        /* of the time that the whole way takes */
-    double deviation;   /* degrees, largest between a contact force and the normal of the slope
-                           while the first sphere is passed */
-    double force, push; /* N, mean against the way and into the slope, likewise */
+    double deviation; /* degrees, largest between a contact force and the normal of the slope
+                         while the first sphere is passed */
+    double force;     /* N, mean against the way, likewise */
     double contacts, candidates; /* mean, of the upper particle; of the list */
     double seconds;              /* of processor time per step */
     double time;                 /* s, that the way takes */
@@ -244,14 +248,16 @@ double pseudo_density(double degrees); /* the inverse */
 /* Writes paths, or forces while the first sphere is passed, when they are not NULL. */
 pseudo pseudo_run(const pseudo_case *c, FILE *path, FILE *forces);
 
+/* A00 3.14 and 3.15: mean force against the way over the weight's part normal to the slope. */
+double pseudo_friction_by_force(const pseudo *p);
+
 /* Over start positions. */
 typedef struct pseudo_range {
     double q;
     int n;
     double mean, sd, least, most; /* of `friction` */
     double end_mean, end_least, end_most;
-    double force, contacts, candidates, seconds; /* means */
-    double force_least, force_most;              /* mean force over push */
+    double contacts, candidates, seconds; /* means */
 } pseudo_range;
 
 /* ranges: room for PSEUDO_QS, of which as many are filled as have q <= densest. Returns how many.

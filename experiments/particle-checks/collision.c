@@ -9,6 +9,7 @@ static setting setting_of(double damping, double step) {
                      .young = pair_young(),
                      .step = step,
                      .damping = damping,
+                     .rigid_wall = true,
                      .guards_look_on = true};
 }
 
@@ -89,7 +90,7 @@ double elastic_impulse_error(const elastic_case *c, FILE *trace) {
     capsule p = pair_particle();
     double step = c->fraction * PAIR_CRITICAL_STEP, speed = sqrt(2 * GRAVITY * c->height);
     setting s = setting_of(0, step);
-    s.weightless = !c->weight;
+    s.weightless = !c->weight, s.rigid_wall = !c->soft_floor;
     clast_world *w = above_floor(&s, &p, false, c->late * step * speed, speed);
     double area = 0, force = 1;
     if (trace) fprintf(trace, "%g,0,0\n", c->fraction);

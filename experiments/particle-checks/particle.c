@@ -150,9 +150,9 @@ clast_world *matter_new(const setting *s, const capsule *p) {
     clast_pair_def pair = pair_of(s);
     int matter =
         clast_material_add(w, &(clast_material_def){"matter", matter_density(), s->young, POISSON});
-    int wall =
-        clast_material_add(w, &(clast_material_def){"wall", matter_density(),
-                                                    (s->stiff_wall ? 1e3 : 1) * s->young, POISSON});
+    int wall = clast_material_add(w, &(clast_material_def){"wall", matter_density(),
+                                                           (s->rigid_wall ? RIGID : 1) * s->young,
+                                                           POISSON});
     if (clast_pair_set(w, matter, matter, &pair) || clast_pair_set(w, matter, wall, &pair))
         stop(clast_world_error(w));
     add_shape(w, p);
@@ -184,7 +184,7 @@ void world_end(clast_world *w) {
 /* N: Hertz against the floor. */
 static double elastic_force(const setting *s, const capsule *p, double overlap) {
     double own = (1 - POISSON * POISSON) / s->young;
-    double modulus = 1 / (own + own / (s->stiff_wall ? 1e3 : 1));
+    double modulus = 1 / (own + own / (s->rigid_wall ? RIGID : 1));
     return 4.0 / 3 * modulus * sqrt(p->radius * overlap) * overlap;
 }
 

@@ -134,7 +134,7 @@ static void look_at_contacts(slider *k, double way, FILE *forces) {
     k->sum.contacts += touching;
     if (way > spacing_of(k->c->q)) return;
     k->passing++;
-    k->sum.force -= along, k->sum.push += into;
+    k->sum.force -= along;
     k->sum.deviation = fmax(k->sum.deviation, off);
     if (forces)
         fprintf(forces, "%g,%.6g,%.6g,%.6g,%.6g,%.6g\n", k->c->q, clast_world_time(k->w),
@@ -166,7 +166,7 @@ static void take_means(slider *k, double way) {
     pseudo *s = &k->sum;
     double time = clast_world_time(k->w);
     s->contacts /= k->looks;
-    s->force /= k->passing, s->push /= k->passing;
+    s->force /= k->passing;
     s->seconds /= (double)clast_world_steps(k->w);
     s->candidates = (double)clast_world_counters(k->w).candidates;
     s->time = time;
@@ -204,6 +204,10 @@ pseudo pseudo_run(const pseudo_case *c, FILE *path, FILE *forces) {
     return found;
 }
 
+double pseudo_friction_by_force(const pseudo *p) {
+    return p->force / (PSEUDO_WEIGHT * cos(SLOPE));
+}
+
 /* ---- over start positions -------------------------------------------------------------------- */
 
 static void run_one(int index, const void *context, void *result) {
@@ -219,18 +223,14 @@ static pseudo_range range_of(double q, const pseudo *runs, int n) {
                       .least = INFINITY,
                       .most = -INFINITY,
                       .end_least = INFINITY,
-                      .end_most = -INFINITY,
-                      .force_least = INFINITY,
-                      .force_most = -INFINITY};
+                      .end_most = -INFINITY};
     for (int i = 0; i < n; i++) {
         const pseudo *p = &runs[i];
-        double ratio = p->force / p->push;
         friction[i] = p->friction;
         r.least = fmin(r.least, p->friction), r.most = fmax(r.most, p->friction);
         r.end_least = fmin(r.end_least, p->friction_end);
         r.end_most = fmax(r.end_most, p->friction_end);
-        r.force_least = fmin(r.force_least, ratio), r.force_most = fmax(r.force_most, ratio);
-        r.end_mean += p->friction_end / n, r.force += ratio / n;
+        r.end_mean += p->friction_end / n;
         r.contacts += p->contacts / n, r.candidates += p->candidates / n;
         r.seconds += p->seconds / n;
     }

@@ -269,7 +269,7 @@ static int write_pseudo(const folder *d) {
                            "q,spheres,off_degrees,n,mean,sd,least,most,end_mean,end_least,"
                            "end_most,contacts,candidates,us_per_step,thesis");
     FILE *each = output_table(d->path, "pseudo_starts.csv",
-                              "q,start,friction,friction_end,force_ratio,time_s");
+                              "q,start,friction,friction_end,friction_by_force,time_s");
     FILE *ways = output_table(d->path, "pseudo_ways.csv", "q,start,way_m,friction");
     if (!f || !each || !ways) return 4;
     for (int i = 0; i < qs; i++) {
@@ -277,7 +277,7 @@ static int write_pseudo(const folder *d) {
         for (int j = 0; j < starts; j++) {
             const pseudo *p = &all[i * starts + j];
             fprintf(each, "%g,%.5g,%.5g,%.5g,%.5g,%.5g\n", PSEUDO_Q[i], (double)j / starts,
-                    p->friction, p->friction_end, p->force / p->push, p->time);
+                    p->friction, p->friction_end, pseudo_friction_by_force(p), p->time);
             for (int k = 0; k < PSEUDO_WAYS; k++)
                 fprintf(ways, "%g,%.5g,%g,%.5g\n", PSEUDO_Q[i], (double)j / starts,
                         PSEUDO_WAY_TO[k], p->by_way[k]);
@@ -319,29 +319,34 @@ static void vary(FILE *f, const char *check, const char *variant, const char *qu
 
 static void vary_rest(FILE *f) {
     static const char *const NAME[6] = {
-        "baseline",       "wall 1000 times stiffer",    "radius 1 cm",
+        "baseline",       "floor of the matter",        "radius 1 cm",
         "radius 1.25 cm", "single precision of forces", "shared dashpot"};
     for (int i = 0; i < 6; i++)
         for (int k = 0; k < REST_CASES; k += 3) {
             rest_case c = REST_CASE[k];
             char what[REST_NAME];
-            c.stiff_wall = i == 1, c.mixed = i == 4, c.shared = i == 5;
+            c.soft_floor = i == 1, c.mixed = i == 4, c.shared = i == 5;
             c.radius = i == 2 ? 0.01 : i == 3 ? 0.0125 : 0;
             snprintf(what, sizeof what, "%s damping %g: error (N)",
                      c.horizontal ? "horizontal" : "vertical", c.damping);
-            vary(f, "weight", NAME[i], what, rest_run(&c, NULL).error);
+            rest found = rest_run(&c, NULL);
+            vary(f, "weight", NAME[i], what, found.error);
+            snprintf(what, sizeof what, "%s damping %g: deformation (m)",
+                     c.horizontal ? "horizontal" : "vertical", c.damping);
+            vary(f, "weight", NAME[i], what, found.overlap);
         }
 }
 
 static void vary_impulse(FILE *f) {
     static const double FRACTION[3] = {2.5, 1, 0.5};
+    static const char *const NAME[3] = {"baseline", "gravity acts", "floor of the matter"};
     for (int i = 0; i < 3; i++)
-        for (int weight = 0; weight < 2; weight++) {
+        for (int k = 0; k < 3; k++) {
             char what[80];
-            elastic_case c = {.fraction = FRACTION[i], .height = DROP_HEIGHT, .weight = weight};
+            elastic_case c = {.fraction = FRACTION[i], .height = DROP_HEIGHT};
+            c.weight = k == 1, c.soft_floor = k == 2;
             snprintf(what, sizeof what, "error of the impulse at %g steps (%%)", FRACTION[i]);
-            vary(f, "impulse", weight ? "gravity acts" : "baseline", what,
-                 100 * elastic_impulse_error(&c, NULL));
+            vary(f, "impulse", NAME[k], what, 100 * elastic_impulse_error(&c, NULL));
         }
 }
 

@@ -34,7 +34,7 @@ static setting setting_of(const rest_case *c, double young) {
                      .damping = c->damping,
                      .shared = c->shared,
                      .mixed = c->mixed,
-                     .stiff_wall = c->stiff_wall};
+                     .rigid_wall = !c->soft_floor};
 }
 
 /* Of another radius, the matter is the one whose critical step is the printed one again. */

@@ -140,7 +140,7 @@ static void test_rest(void **state) {
     (void)state;
     rest r = rest_run(&REST_CASE[0], NULL);
     capsule p = pair_particle();
-    double e_star = pair_young() / (2 * (1 - POISSON * POISSON));
+    double e_star = pair_young() / ((1 - POISSON * POISSON) * (1 + 1 / RIGID));
     double overlap = pow(PAIR_WEIGHT / (4.0 / 3 * e_star * sqrt(p.radius)), 2.0 / 3);
     CHECK_CLOSE(r.overlap, overlap, 1e-7);
     CHECK_BELOW(r.error, 1e-9 * PAIR_WEIGHT);
