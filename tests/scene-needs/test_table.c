@@ -129,7 +129,7 @@ static void the_table_that_is_built_in_is_that_of_the_study(void **state) {
                 if (!n)
                     fail_msg("no row of %s without %s", NEEDS_SCENES[i].name,
                              NEEDS_SCENES[i].without[k].key);
-                assert_true(n->replicates + n->lost >= 3);
+                assert_true(n->replicates + n->lost >= 6);
                 assert_true(n->cost > 0 && n->cost_half >= 0);
                 assert_true(isfinite(n->error) == (n->lost == 0));
             }
