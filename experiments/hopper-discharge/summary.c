@@ -6,15 +6,19 @@
 
 typedef struct samples {
     double x[STATES_MAX];
-    int n;
+    int n, lost; /* states without a number */
 } samples;
 
 static void add(samples *s, double x) {
-    if (isfinite(x)) s->x[s->n++] = x;
+    if (isfinite(x))
+        s->x[s->n++] = x;
+    else
+        s->lost++;
 }
 
+/* No mean of those that are left: what did not fail or did not end would be judged by the rest. */
 static interval mean_of(const samples *s) {
-    return mean_interval(s->x, s->n);
+    return mean_interval(s->x, s->lost > 0 ? 0 : s->n);
 }
 
 /* ---- residence times ------------------------------------------------------------------------- */

@@ -86,20 +86,17 @@ static bool read_runs(discharge_runs *runs, const char *path) {
     return good;
 }
 
-/* This size, else the largest. */
+/* Of this size: another one has other steps and states. */
 static bool find_runs(discharge_runs *runs, const char *size, const char *studies, char note[200]) {
-    const char *const sizes[] = {size, "full", "published", "quick"};
-    for (int i = 0; i < 4; i++) {
-        char path[1000];
-        snprintf(path, sizeof path, "%s/hopper-discharge/%s/data/runs.csv", studies, sizes[i]);
-        if (!read_runs(runs, path) || runs->count == 0) continue;
-        snprintf(note, 200, "%d runs of the study hopper-discharge at size %s", runs->count,
-                 sizes[i]);
-        return true;
-    }
-    snprintf(note, 200,
-             "not there: the study hopper-discharge has not been run in this build folder");
-    return false;
+    char path[1000];
+    snprintf(path, sizeof path, "%s/hopper-discharge/%s/data/runs.csv", studies, size);
+    bool found = read_runs(runs, path) && runs->count > 0;
+    if (found)
+        snprintf(note, 200, "%d runs of the study hopper-discharge at size %s", runs->count, size);
+    else
+        snprintf(note, 200, "not there: the study hopper-discharge has not been run at size %s",
+                 size);
+    return found;
 }
 
 /* ---- one method at one step ------------------------------------------------------------------ */
