@@ -8,6 +8,7 @@
 static const measure_class *const CLASSES[] = {
     &MEASURE_DISCHARGED_CLASS,    &MEASURE_REMAINING_CLASS,    &MEASURE_SOLID_FRACTION_CLASS,
     &MEASURE_BAND_VELOCITY_CLASS, &MEASURE_COORDINATION_CLASS, &MEASURE_PART_LOAD_CLASS,
+    &MEASURE_LOAD_PROFILE_CLASS,
 };
 
 const measure_class *measure_class_of(measure_kind kind) {

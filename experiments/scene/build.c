@@ -24,6 +24,14 @@ static void take_elements(sphere_set *set, const shape_item *shape) {
     }
 }
 
+/* In the middle of the body, along x; no spacing is rounded twice. */
+static void make_chain(sphere_set *set, const shape_item *shape) {
+    for (int i = 0; i < set->count; i++) {
+        set->centre[i].x = 0.5 * (2 * i - set->count + 1) * shape->chain_spacing;
+        set->radius[i] = shape->radius;
+    }
+}
+
 /* m, of the bounding sphere about the origin of the body. */
 static double reach_of(int count, const clast_vec3 *centre, const double *radius) {
     double most = 0;
@@ -39,13 +47,17 @@ sphere_set scene_shape_spheres(scene_arena *arena, const shape_item *shape) {
     SCENE_ASSERT(arena && shape);
     if (shape->made.count > 0) return shape->made;
     bool fit = tree_get(shape->item.node, "fit") != NULL;
+    bool chain = tree_get(shape->item.node, "chain") != NULL;
     sphere_set set = {.count = shape->spheres.count > 0 ? shape->spheres.count
                                : fit                    ? shape->fit_spheres
+                               : chain                  ? shape->chain_spheres
                                                         : 1};
     set.centre = scene_alloc(arena, (size_t)set.count * sizeof *set.centre);
     set.radius = scene_alloc(arena, (size_t)set.count * sizeof *set.radius);
     if (shape->spheres.count > 0)
         take_elements(&set, shape);
+    else if (chain)
+        make_chain(&set, shape);
     else if (!fit)
         set.radius[0] = shape->radius;
     else if (clast_fit_ellipse(shape->ellipse[0], shape->ellipse[1], set.count, set.centre,

@@ -77,8 +77,10 @@ typedef struct shape_item {
     mass_choice mass_from;
     sphere_set made;     /* by scene_fill_shapes(); count 0: the spheres are those of the file */
     const char *made_of; /* for `clast check`: masses of union and solid, what was reached */
-    double radius;       /* of a sphere */
-    item_list spheres;   /* element_item */
+    double radius;       /* of a sphere, or of every sphere of a chain */
+    double chain_spacing;
+    int chain_spheres;
+    item_list spheres; /* element_item */
     double ellipse[2];
     int fit_spheres;
     double mass;
@@ -144,7 +146,7 @@ typedef struct body_item {
 
 typedef struct measure_item {
     item item;
-    measure discharged, remaining, solid_fraction, band_velocity, part_load;
+    measure discharged, remaining, solid_fraction, band_velocity, part_load, load_profile;
     double bed_x[2], band_x[2];
 } measure_item;
 

@@ -73,6 +73,9 @@ static measure measure_of(const measure_item *entry) {
     } else if (tree_get(node, "part_load")) {
         m = entry->part_load;
         m.kind = MEASURE_PART_LOAD;
+    } else if (tree_get(node, "load_profile")) {
+        m = entry->load_profile;
+        m.kind = MEASURE_LOAD_PROFILE;
     }
     m.name = duplicate(entry->item.name);
     return m;

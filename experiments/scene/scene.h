@@ -15,19 +15,20 @@ typedef enum measure_kind {
     MEASURE_SOLID_FRACTION, /* bed profile in `sections` across the width: A00 4.3.1 (ii) */
     MEASURE_BAND_VELOCITY,  /* mean and sd of the vertical velocity in a band: A00 4.3.1 (iii) */
     MEASURE_COORDINATION,   /* mean number of touching partners per body, all sub-contacts once */
-    MEASURE_PART_LOAD       /* force, torque and work of one part */
+    MEASURE_PART_LOAD,      /* force, torque and work of one part */
+    MEASURE_LOAD_PROFILE    /* normal force on one part in `sections` of its height */
 } measure_kind;
 
 typedef struct measure {
     char *name; /* prefix of its columns */
     measure_kind kind;
-    double level;        /* m, z of the orifice or floor: discharged, remaining, solid fraction */
+    double level;        /* m, z of the orifice or floor, or of the lowest section */
     double x_min, x_max; /* m, width: solid fraction and band */
-    int sections;        /* solid fraction: the experimenter's ten */
+    int sections;        /* solid fraction: the experimenter's ten; load profile */
     double body_area;    /* m2, projected area of one body: solid fraction */
-    double height;       /* m above level, centre of the band */
+    double height;       /* m above level: centre of the band; upper end of the load profile */
     double thickness;    /* m, of the band */
-    int part;            /* part load */
+    int part;            /* part load, load profile */
 } measure;
 
 typedef enum colour_by {
@@ -86,7 +87,7 @@ typedef struct scene {
     int material_count;
     scene_pair *pairs;
     int pair_count;
-    char *clumps; /* how shapes were filled, a line each, "" for none */
+    char *clumps;             /* how shapes were filled, a line each, "" for none */
     char *library, *function; /* of a contact law of the user's own; NULL without one */
 } scene;
 

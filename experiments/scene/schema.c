@@ -161,6 +161,16 @@ static const scene_key FIT_KEYS[] = {
 };
 TABLE(FIT, "shapes.NAME.fit", shape_item, FIT_KEYS);
 
+static const scene_key CHAIN_KEYS[] = {
+    {"spheres", KEY_COUNT, FIELD(chain_spheres), RANGE(1, 1000), .required = true,
+     .meaning = "number of equal spheres along x of the body"},
+    {"radius", KEY_NUMBER, UNIT_LENGTH, FIELD(radius), ABOVE(0), .required = true,
+     .meaning = "of each"},
+    {"spacing", KEY_NUMBER, UNIT_LENGTH, FIELD(chain_spacing), ABOVE(0), .required = true,
+     .meaning = "between neighbouring centres; below two radii they overlap"},
+};
+TABLE(CHAIN, "shapes.NAME.chain", shape_item, CHAIN_KEYS);
+
 #undef TARGET
 #define TARGET size_rule
 static const scene_key SIZE_KEYS[] = {
@@ -280,6 +290,8 @@ static const scene_key SHAPE_KEYS[] = {
      .meaning = "a rigid clump of spheres"},
     {"fit", KEY_SECTION, .section = &FIT, .one_of = true,
      .meaning = "spheres fitted to an elliptic profile (A00 2.2.2)"},
+    {"chain", KEY_SECTION, .section = &CHAIN, .one_of = true,
+     .meaning = "a straight row of equal spheres"},
     {"solid", KEY_SECTION, .section = &THIRTEEN, .one_of = true,
      .meaning = "one of thirteen solids, filled with spheres"},
     {"profile", KEY_FILE, FIELD(profile), .one_of = true,
@@ -606,6 +618,18 @@ static const scene_key LOAD_KEYS[] = {
 };
 TABLE(LOAD, "measures.NAME.part_load", measure_item, LOAD_KEYS);
 
+static const scene_key PROFILE_KEYS[] = {
+    {"part", KEY_NAME, FIELD(load_profile.part), .refers = "parts", .required = true,
+     .meaning = "whose walls are pushed"},
+    {"level", KEY_NUMBER, UNIT_LENGTH, FIELD(load_profile.level), ANY, .required = true,
+     .meaning = "z of the lower end of the lowest section"},
+    {"height", KEY_NUMBER, UNIT_LENGTH, FIELD(load_profile.height), ABOVE(0), .required = true,
+     .meaning = "of all sections together"},
+    {"sections", KEY_COUNT, FIELD(load_profile.sections), RANGE(1, 64), .fallback = "10",
+     .meaning = "equal ones, from below"},
+};
+TABLE(PROFILE, "measures.NAME.load_profile", measure_item, PROFILE_KEYS);
+
 static const scene_key MEASURE_KEYS[] = {
     {"discharged", KEY_SECTION, .section = &DISCHARGED, .one_of = true,
      .meaning = "mass and number that have ever been below a level"},
@@ -619,6 +643,8 @@ static const scene_key MEASURE_KEYS[] = {
      .meaning = "mean number of touching partners; {}"},
     {"part_load", KEY_SECTION, .section = &LOAD, .one_of = true,
      .meaning = "force, torque and work of a part"},
+    {"load_profile", KEY_SECTION, .section = &PROFILE, .one_of = true,
+     .meaning = "normal force on a part, by sections of its height (A00 5.3.3.1)"},
 };
 TABLE(MEASURE, "measures.NAME", measure_item, MEASURE_KEYS);
 

@@ -114,6 +114,7 @@ static const measure MEASURES[] = {
      .thickness = 0.02},
     {.name = "partners", .kind = MEASURE_COORDINATION},
     {.name = "push", .kind = MEASURE_PART_LOAD, .part = 2},
+    {.name = "press", .kind = MEASURE_LOAD_PROFILE, .part = 0, .height = 0.1, .sections = 3},
 };
 
 scene *bed_scene(const bed_options *o) {

@@ -1,5 +1,5 @@
-/* Measures against small cases worked out by hand. The moments are made by hand, without a world.
- */
+/* Measures against small cases worked out by hand. The moments are made by hand, without a world,
+ * but for what asks a wall for its part. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "experiments/run/measure.h"
+#include "tests/run/fixture.h"
 
 enum { MOST = 16 };
 
@@ -198,6 +199,32 @@ static void solid_fraction_leaves_flying_bodies_out(void **state) {
     assert_true(v[0] != v[0] && v[4] == 0 && v[3] == 0);
 }
 
+/* The plug is a plate that lies flat: all that it carries is normal, and its part says how much. */
+static void load_profile_adds_up_to_the_load_of_the_part(void **state) {
+    (void)state;
+    enum { PLUG = 1, SECTIONS = 5 };
+    clast_world *w = bed_world(&(bed_options){0});
+    assert_int_equal(clast_world_run(w, 0.15), CLAST_OK);
+    moment now = {0};
+    moment_take(&now, w, true);
+    measure m = {.name = "press",
+                 .kind = MEASURE_LOAD_PROFILE,
+                 .part = PLUG,
+                 .level = -0.025,
+                 .height = 0.05,
+                 .sections = SECTIONS};
+    double v[MEASURE_COLUMNS_MAX], load = -clast_world_part_load(w, PLUG).force.z;
+    assert_true(load > 0);
+    assert_int_equal(measure_class_of(m.kind)->values(&m, NULL, &now, v), SECTIONS);
+    for (int i = 0; i < SECTIONS; i++) /* in the middle section, at z = 0 */
+        assert_float_equal(v[i], i == SECTIONS / 2 ? load : 0, 1e-9 * load);
+    m.level = 0.01; /* above all that touches it */
+    measure_class_of(m.kind)->values(&m, NULL, &now, v);
+    for (int i = 0; i < SECTIONS; i++) assert_true(v[i] == 0);
+    moment_free(&now);
+    clast_world_free(w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(discharged_counts_what_fell_or_left),
@@ -206,6 +233,7 @@ int main(void) {
         cmocka_unit_test(coordination_counts_partners_once),
         cmocka_unit_test(solid_fraction_of_a_row),
         cmocka_unit_test(solid_fraction_leaves_flying_bodies_out),
+        cmocka_unit_test(load_profile_adds_up_to_the_load_of_the_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

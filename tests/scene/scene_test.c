@@ -361,6 +361,11 @@ static void shapes_and_walls_are_built(void **state) {
     SAME(button.outline[3], 0.0053);
     assert_int_equal(rod.spheres, 2);
     SAME(rod.centre[0].x, -0.002);
+    clast_shape_def row = clast_world_shape(s->world, 7);
+    assert_string_equal(row.name, "row");
+    assert_int_equal(row.spheres, 4);
+    for (int i = 0; i < 4; i++) same(row.centre[i], 0.004 * (2 * i - 3), 0, 0);
+    SAME(row.radius[3], 0.004);
     assert_int_equal(clast_world_part_count(s->world), 3);
     clast_part_def gate = clast_world_part(s->world, 1);
     same(gate.velocity, 0, 0, -0.02);
@@ -410,7 +415,7 @@ static void measures_are_read(void **state) {
     (void)state;
     scene *s = load(GOOD, NULL, 0);
     const measure *m = s->measures;
-    assert_int_equal(s->measure_count, 6);
+    assert_int_equal(s->measure_count, 7);
     assert_string_equal(m[0].name, "out");
     assert_int_equal(m[0].kind, MEASURE_DISCHARGED);
     SAME(m[0].level, 0.01);
@@ -430,6 +435,11 @@ static void measures_are_read(void **state) {
     assert_int_equal(m[4].kind, MEASURE_COORDINATION);
     assert_int_equal(m[5].kind, MEASURE_PART_LOAD);
     assert_int_equal(m[5].part, 1);
+    assert_int_equal(m[6].kind, MEASURE_LOAD_PROFILE);
+    assert_int_equal(m[6].part, 1);
+    SAME(m[6].level, 0.05);
+    SAME(m[6].height, 0.3);
+    assert_int_equal(m[6].sections, 6);
     scene_free(s);
 }
 
