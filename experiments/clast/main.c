@@ -17,6 +17,7 @@ static const command COMMANDS[] = {
     {"plan", cmd_plan, "say what a scene will take: kernel, time step, cost"},
     {"tune", cmd_tune, "find the cheapest settings that keep what a scene measures"},
     {"shape", cmd_shape, "fill a solid, a profile or a mesh with spheres"},
+    {"rtd", cmd_rtd, "say how long bodies stay between a feed and an outlet"},
     {"render", cmd_render, "draw the frames of a run as pictures and an animation"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };

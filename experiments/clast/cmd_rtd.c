@@ -1,0 +1,102 @@
+/* cmd_rtd.c - how long bodies stay between a feed and an outlet. */
+#include "experiments/clast/commands.h"
+#include "experiments/clast/options.h"
+#include "experiments/rtd/rtd.h"
+#include "experiments/scene/unit.h"
+
+#include <stdio.h>
+
+static const char HELP[] =
+    "usage: clast rtd RUN [--sampling TIME] [--out FOLDER] [--from TIME] [--until TIME]\n"
+    "                     [--feed NAME] [--outlet NAME] [--seed N] [--resamples N]\n"
+    "\n"
+    "Residence time distribution of a run whose scene has feeds and outlets: E(t), F(t), mean,\n"
+    "variance, skewness, Peclet number, tanks in series, each with its 95 % interval; hold-up, "
+    "residence\n"
+    "time against diameter, and whether there is more than one peak. Of bodies fed after the run "
+    "had\n"
+    "become steady; those still inside at the end count as such.\n"
+    "\n"
+    "  --sampling TIME    width of the intervals of E and F (default 3min)\n"
+    "  --out FOLDER       writes rtd.csv, curve.csv and tracers.csv there\n"
+    "  --from TIME        bodies fed from then on (default: where the hold-up is steady, MSER-5)\n"
+    "  --until TIME       and until then (default: the end of the run)\n"
+    "  --feed NAME        of this feed alone\n"
+    "  --outlet NAME      that left by this outlet alone\n"
+    "  --seed N           of the resampling behind the intervals (default 1)\n"
+    "  --resamples N      how many (default 1000)\n"
+    "\n"
+    "example: clast rtd build/forward --sampling 1min --out build/forward-rtd\n"
+    "exit code: 0, 1 too few bodies have left, 2 usage, 4 a file cannot be read or written\n";
+
+typedef struct arguments {
+    const char *run, *sampling, *out, *from, *until, *feed, *outlet;
+    int seed, resamples;
+} arguments;
+
+static bool read_arguments(int argc, char **argv, arguments *a) {
+    const option options[] = {
+        {"--sampling", OPTION_TEXT, &a->sampling, NULL},
+        {"--out", OPTION_TEXT, &a->out, NULL},
+        {"--from", OPTION_TEXT, &a->from, NULL},
+        {"--until", OPTION_TEXT, &a->until, NULL},
+        {"--feed", OPTION_TEXT, &a->feed, NULL},
+        {"--outlet", OPTION_TEXT, &a->outlet, NULL},
+        {"--seed", OPTION_COUNT, &a->seed, NULL},
+        {"--resamples", OPTION_COUNT, &a->resamples, NULL},
+    };
+    int found =
+        options_read("rtd", argc, argv, options, sizeof options / sizeof *options, &a->run, 1);
+    if (found == 0) fprintf(stderr, "clast rtd: which run? See clast rtd --help\n");
+    return found == 1;
+}
+
+/* False after a message; text NULL leaves *seconds alone. */
+static bool read_time(const char *name, const char *text, double *seconds) {
+    char why[UNIT_TEXT] = "";
+    unit_value v;
+    if (!text) return true;
+    bool good = unit_parse(text, NULL, &v, why);
+    if (good && (v.bare || unit_same(v.dimension, unit_kind_dimension(UNIT_TIME))) && v.value > 0) {
+        *seconds = v.value;
+        return true;
+    }
+    fprintf(stderr, "clast rtd: %s %s: expected a time above zero, such as 3min or 90s%s%s\n", name,
+            text, *why ? ": " : "", why);
+    return false;
+}
+
+static int analyse(const arguments *a, const rtd_options *o) {
+    char why[RTD_ERROR_MAX];
+    passages *p = passages_read(a->run, o, why);
+    if (!p) {
+        fprintf(stderr, "clast rtd: %s\n", why);
+        return CLAST_EXIT_FILE;
+    }
+    rtd *r = rtd_new(p, o, why);
+    int code = CLAST_EXIT_RUN_FAILED;
+    if (r) {
+        rtd_print(r, stdout);
+        code = a->out && rtd_write(r, a->out) ? CLAST_EXIT_FILE : CLAST_EXIT_OK;
+    } else {
+        fprintf(stderr, "clast rtd: %s: %s\n", a->run, why);
+    }
+    rtd_free(r);
+    passages_free(p);
+    return code;
+}
+
+int cmd_rtd(int argc, char **argv) {
+    if (options_ask_help(argc, argv)) {
+        fputs(HELP, stdout);
+        return CLAST_EXIT_OK;
+    }
+    arguments a = {.seed = 1, .resamples = 1000};
+    if (!read_arguments(argc, argv, &a)) return CLAST_EXIT_USAGE;
+    rtd_options o = {
+        .feed = a.feed, .outlet = a.outlet, .seed = (uint64_t)a.seed, .resamples = a.resamples};
+    if (!read_time("--sampling", a.sampling, &o.sampling) ||
+        !read_time("--from", a.from, &o.from) || !read_time("--until", a.until, &o.until))
+        return CLAST_EXIT_USAGE;
+    return analyse(&a, &o);
+}
