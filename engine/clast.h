@@ -438,7 +438,8 @@ typedef struct clast_plan {
     double rayleigh_step; /* s, A00 1.28, smallest sphere */
     double contact_time;  /* s, shortest contact at the expected speed: of a clump that on its
                              outermost sphere, or flat on several at once */
-    double critical_step; /* s, 2 / omega of the stiffest contact on the lightest body, likewise */
+    double critical_step; /* s, 2 / omega of the stiffest contact on the lightest body, likewise;
+                             with the tangential spring of friction that sticks, undamped */
     double impact_speed;  /* m/s, that the contact time was taken at */
     double resolution;    /* contact_time / time_step */
     double skin;          /* m */

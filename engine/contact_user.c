@@ -132,6 +132,23 @@ double user_law_stiffness(const clast_world *w, const pair_coef *c, double radiu
     return (more - user_law_elastic_force(w, c, radius, mass, overlap - near)) / (2 * near);
 }
 
+/* Tangential over normal stiffness at that overlap, of a spring that has not slipped: a dashpot
+ * pushes alike in a step and in two, the spring twice. */
+double user_law_tangent_ratio(const clast_world *w, const pair_coef *c, double radius, double mass,
+                              double speed) {
+    clast_law_pair pair = pair_of(c, radius, mass);
+    double overlap = overlap_of_impact(w, &pair, speed), force[2];
+    if (isinf(overlap)) return 0;
+    double slip = 1e-9 * overlap; /* m/s: for one second and for two */
+    for (int i = 0; i < 2; i++) {
+        clast_law_history none = {0};
+        clast_law_touch touch = {.overlap = overlap, .slip = {slip}, .dt = i + 1};
+        force[i] = ask(w, &pair, &touch, &none).tangential[0];
+    }
+    double stiffness = (force[0] - force[1]) / slip;
+    return stiffness > 0 ? stiffness / user_law_stiffness(w, c, radius, mass, speed) : 0;
+}
+
 /* ---- one contact ----------------------------------------------------------------------------- */
 
 static clast_law_pair pair_at(const clast_world *w, const contact_place *at) {

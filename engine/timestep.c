@@ -1,4 +1,6 @@
 /* timestep.c - the limits of the time step and the choice between them. */
+#include <stdlib.h>
+
 #include "engine/numbers.h"
 #include "engine/world.h"
 
@@ -41,122 +43,97 @@ double timestep_impact_speed(const clast_world *w) {
     return v > 0 ? v : 1;
 }
 
-/* ---- clumps ----------------------------------------------------------------------------------
- * A contact with arm r and normal n gives way by 1/m + (r x n) I^-1 (r x n) per impulse, so a clump
- * that lands on its outermost sphere is lighter than its mass; one that lands flat on several
- * spheres meets that many times the stiffness of one. */
-
-enum { SIDES = 6 };
-
-static const double TOGETHER = 0.05; /* of the smallest radius: touch at once, within an overlap */
-
-/* The larger eigenvalue of the symmetric matrix {{a, b}, {b, d}}; b as its square. */
-static double larger_eigenvalue(double a, double d, double b2) {
-    double half = 0.5 * (a - d);
-    return 0.5 * (a + d) + sqrt(half * half + b2);
-}
-
-static bool turns_about(const clast_world *w, int axis) {
-    return w->def.motion != CLAST_MOTION_IN_PLANE || w->def.plane_axis == axis;
-}
-
-/* 1/(kg m2), 0 about an axis that the motion leaves still. */
-static vec3 free_inverse(const clast_world *w, const shape *s) {
-    return v3(turns_about(w, 0) ? s->inverse_inertia.x : 0,
-              turns_about(w, 1) ? s->inverse_inertia.y : 0,
-              turns_about(w, 2) ? s->inverse_inertia.z : 0);
-}
-
-/* 1/kg, the most that one sphere at c gives way by turning the body: the largest eigenvalue of
- * [c]^T I^-1 [c], which is singular along c. */
-static double turning_alone(vec3 c, vec3 d) {
-    double xx = d.y * c.z * c.z + d.z * c.y * c.y, yy = d.x * c.z * c.z + d.z * c.x * c.x;
-    double zz = d.x * c.y * c.y + d.y * c.x * c.x;
-    double xy = d.z * c.x * c.y, yz = d.x * c.y * c.z, zx = d.y * c.z * c.x;
-    double trace = xx + yy + zz;
-    double minors = xx * yy - xy * xy + (yy * zz - yz * yz) + (zz * xx - zx * zx);
-    double root2 = 0.25 * trace * trace - minors;
-    return 0.5 * trace + sqrt(root2 > 0 ? root2 : 0);
-}
-
-/* 1/kg, of a flat landing with that normal: the largest eigenvalue of all that touch at once, by
- * the motion of the centre, turning (by its trace) and what couples the two. */
-static double flat_landing(const shape *s, vec3 n, vec3 d, double slack) {
-    double deepest = -INFINITY, count = 0, turning = 0;
-    vec3 sum = {0, 0, 0};
-    for (int i = 0; i < s->spheres; i++)
-        deepest = fmax(deepest, s->radius[i] - v3_dot(s->centre[i], n));
-    for (int i = 0; i < s->spheres; i++) {
-        if (s->radius[i] - v3_dot(s->centre[i], n) < deepest - slack) continue;
-        vec3 t = v3_cross(s->centre[i], n);
-        turning += v3_dot(t, v3_mul(d, t));
-        sum = v3_add(sum, t);
-        count++;
-    }
-    double coupling2 = v3_dot(sum, v3_mul(d, sum)) * s->inverse_mass;
-    return larger_eigenvalue(count * s->inverse_mass, turning, coupling2);
-}
-
-/* kg: mass over stiffness in its stiffest landing, on one sphere or flat along a principal axis, in
- * units of the stiffness of one contact. That of a single sphere is its mass. */
-static double lightest_landing(const clast_world *w, const shape *s) {
-    vec3 inverse = free_inverse(w, s);
-    double slack = TOGETHER * smallest_radius(s), most = s->inverse_mass;
-    for (int i = 0; i < s->spheres; i++)
-        most = fmax(most, s->inverse_mass + turning_alone(s->centre[i], inverse));
-    for (int side = 0; side < SIDES; side++) {
-        if (w->def.motion == CLAST_MOTION_IN_PLANE && side / 2 == w->def.plane_axis) continue;
-        vec3 n = v3_axis(side / 2, side % 2 ? -1 : 1);
-        most = fmax(most, flat_landing(s, n, inverse, slack));
-    }
-    return most > s->inverse_mass ? 1 / most : s->mass;
-}
-
-static double landing_mass(const clast_world *w, const expected_contact *e) {
-    double a = lightest_landing(w, e->a);
-    return e->b ? law_effective_mass(a, lightest_landing(w, e->b)) : a;
-}
-
 /* ---- contacts -------------------------------------------------------------------------------- */
+
+/* What a contact amounts to at its largest overlap. */
+typedef struct impact {
+    double duration;  /* s */
+    double stiffness; /* N/m, normal */
+} impact;
+
+/* landing_stuck_rate() of a shape, kept with the ratio that it was last asked for. */
+typedef struct kept_rate {
+    double ratio, rate;
+} kept_rate;
 
 typedef struct stiffest {
     double duration; /* s, of a contact */
     double critical; /* s, 2 / omega at its largest overlap */
+    kept_rate *kept; /* per shape */
 } stiffest;
+
+static double landing_mass(const clast_world *w, const expected_contact *e) {
+    double a = landing_lightest(w, e->a);
+    return e->b ? law_effective_mass(a, landing_lightest(w, e->b)) : a;
+}
 
 /* Hertz: T = 2.943 (15 m / (16 sqrt(R) E))^(2/5) v^(-1/5) (S12 2.41 with its constant worked out),
  * overlap (15 m v^2 / (16 sqrt(R) E))^(2/5); linear: pi sqrt(m / k) (S12 2.22 without damping),
  * half of it with either stiffness of a law that yields (S12 2.52). */
-static stiffest contact_of(const clast_world *w, const expected_contact *e, double v) {
+static impact impact_of(const clast_world *w, const expected_contact *e, double mass, double v) {
     const clast_law_info *law = clast_law_info_of(w->def.law);
     const pair_coef *c = e->coef;
-    double mass = landing_mass(w, e), whole = law_whole_mass(e), radius = e->radius;
+    double whole = law_whole_mass(e), radius = e->radius;
     if (w->def.law == CLAST_LAW_USER) {
-        double own = sqrt(user_law_stiffness(w, c, radius, whole, v) / mass);
-        return (stiffest){NUMBER_PI / own, 2 / own};
+        double own = user_law_stiffness(w, c, radius, whole, v);
+        return (impact){NUMBER_PI * sqrt(mass / own), own};
     }
     if (law->linear) {
-        double omega = sqrt(c->k_normal * law_scale(w->def.law, radius, whole) / mass);
+        double k = c->k_normal * law_scale(w->def.law, radius, whole), omega = sqrt(k / mass);
         double loading = law->yields ? sqrt(c->stiffness / mass) : omega;
-        return (stiffest){NUMBER_PI / 2 / loading + NUMBER_PI / 2 / omega, 2 / omega};
+        return (impact){NUMBER_PI / 2 / loading + NUMBER_PI / 2 / omega, k};
     }
     double q = 15 * mass / (16 * sqrt(radius) * c->e_star);
     double overlap = number_fifth_root(q * q * v * v * v * v);
-    double k_n = 2 * c->e_star * sqrt(radius * overlap);
-    return (stiffest){2.9432751 * overlap / v, 2 * sqrt(mass / k_n)};
+    return (impact){2.9432751 * overlap / v, 2 * c->e_star * sqrt(radius * overlap)};
+}
+
+/* Tangential over normal stiffness of a contact that sticks; 0 where nothing springs back. */
+static double sticking_ratio(const clast_world *w, const expected_contact *e, double v) {
+    const pair_coef *c = e->coef;
+    if (w->def.law == CLAST_LAW_USER)
+        return user_law_tangent_ratio(w, c, e->radius, law_whole_mass(e), v);
+    bool sticks = c->friction > 0 || c->cohesion > 0;
+    return sticks && law_has_spring(w) ? c->k_tangent / c->k_normal : 0;
+}
+
+/* Most scenes have one ratio for all their contacts. */
+static double stuck_rate(const clast_world *w, stiffest *all, const shape *s, double ratio) {
+    kept_rate *kept = &all->kept[s - w->shapes];
+    if (kept->ratio != ratio) *kept = (kept_rate){ratio, landing_stuck_rate(w, s, ratio)};
+    return kept->rate;
 }
 
 static void keep_least(const clast_world *w, const expected_contact *e, void *context) {
-    stiffest *least = context, s = contact_of(w, e, w->plan.impact_speed);
-    if (s.duration < least->duration) least->duration = s.duration;
-    if (s.critical < least->critical) least->critical = s.critical;
+    stiffest *all = context;
+    double v = w->plan.impact_speed, mass = landing_mass(w, e), rate = 1 / mass;
+    impact i = impact_of(w, e, mass, v);
+    double ratio = sticking_ratio(w, e, v);
+    if (ratio > 0) {
+        double stuck = stuck_rate(w, all, e->a, ratio);
+        if (e->b) stuck += stuck_rate(w, all, e->b, ratio);
+        rate = fmax(rate, stuck);
+    }
+    double critical = 2 / sqrt(i.stiffness * rate);
+    if (i.duration < all->duration) all->duration = i.duration;
+    if (critical < all->critical) all->critical = critical;
 }
+
+static stiffest stiffest_contact(const clast_world *w) {
+    stiffest all = {INFINITY, INFINITY, calloc((size_t)w->shape_count + 1, sizeof(kept_rate))};
+    CLAST_ASSERT(all.kept);
+    law_each_contact(w, keep_least, &all);
+    free(all.kept);
+    return all;
+}
+
+/* Of the critical step of one contact: several at once make a body up to four times as stiff. */
+static const double CROWDED = 0.5;
 
 /* Needs law_prepare(). */
 clast_status timestep_choose(clast_world *w) {
     clast_plan *p = &w->plan;
-    stiffest s = {INFINITY, INFINITY};
-    law_each_contact(w, keep_least, &s);
+    stiffest s = stiffest_contact(w);
     p->rayleigh_step = timestep_rayleigh(w);
     p->contact_time = s.duration;
     p->critical_step = s.critical;
@@ -166,7 +143,7 @@ clast_status timestep_choose(clast_world *w) {
         double b = s.duration / w->def.contact_resolution;
         bool by_contact = clast_law_info_of(w->def.law)->linear; /* waves know nothing of it */
         if (by_contact) a = b;
-        w->dt = a < b ? a : b;
+        w->dt = fmin(fmin(a, b), CROWDED * s.critical);
     }
     if (!(w->dt > 0 && w->dt < 1e6))
         return world_fail(w, CLAST_ERR_ARGUMENT,

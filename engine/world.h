@@ -501,6 +501,8 @@ stored_energy user_law_stored_energy(const clast_world *w, const pair_coef *c, d
                                      double mass, const history *h);
 double user_law_stiffness(const clast_world *w, const pair_coef *c, double radius, double mass,
                           double speed);
+double user_law_tangent_ratio(const clast_world *w, const pair_coef *c, double radius, double mass,
+                              double speed);
 
 /* shared.c */
 clast_status shared_check(clast_world *w);
@@ -623,7 +625,7 @@ typedef struct motion_books {
 } motion_books;
 motion_books motion_balance(const clast_world *w);
 
-/* ledger.c, guard.c, timestep.c */
+/* ledger.c, guard.c, timestep.c, landing.c */
 void ledger_set_scale(clast_world *w);
 void ledger_start(clast_world *w);
 void ledger_remove_body(clast_world *w, size_t slot);
@@ -635,6 +637,13 @@ clast_status guards_outside(clast_world *w);
 clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move);
 void bodies_leave(clast_world *w);
 clast_status timestep_choose(clast_world *w);
+/* landing.c. kg: mass over stiffness in the stiffest landing of a shape, on one sphere or flat
+ * along a principal axis, in units of the stiffness of one contact. That of a sphere is its mass.
+ */
+double landing_lightest(const clast_world *w, const shape *s);
+/* 1/kg: the square of the largest frequency over the normal stiffness of one contact, where
+ * friction sticks and its spring has `ratio` times that stiffness. */
+double landing_stuck_rate(const clast_world *w, const shape *s, double ratio);
 double timestep_rayleigh(const clast_world *w);
 double timestep_impact_speed(const clast_world *w);
 
