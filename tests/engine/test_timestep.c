@@ -249,7 +249,7 @@ static void a_clump_that_sticks_by_brute_force(void **state) {
         clast_pair_def pair = pair_of(1, 0.4);
         pair.tangential_ratio = ratios[k];
         two_materials m = add_materials(w, &pair);
-        clast_vec3 centre[3] = {{0.011, 0.002, -0.003}, {-0.004, 0.0003, 0}, {0.001, -0.006, 0.005}};
+        clast_vec3 centre[3] = {{0.011, 0.002, -0.003}, {-0.004, 0.0003, 0}, {0, -0.006, 0.005}};
         double radius[3] = {0.004, 0.005, 0.003}, most = 0;
         clast_shape_def s = {"stone", m.soft, 3, centre, radius, 1.3e-3, {4e-8, 7e-8, 6e-8},
                              0,       NULL};
