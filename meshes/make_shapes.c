@@ -5,12 +5,23 @@
 #include <string.h>
 
 static const char USAGE[] =
-    "usage: clast_mesh_shapes cylinder FILE.stl [radius=0.1] [height=1.2] [segments=80] "
-    "[bands=12]\n"
-    "       clast_mesh_shapes box FILE.stl [x=0.19] [y=1] [z=0.03]\n"
-    "Lengths in metres. The cylinder stands on z = 0, is open at the top and faces inwards; the "
-    "box\n"
-    "lies around the origin. Without measures: the silo of the benchmark, a bar of the grates.\n";
+    "usage: clast_mesh_shapes SHAPE FILE.stl [MEASURE=VALUE]...\n"
+    "  cylinder radius=0.1 height=1.2 segments=80 bands=12   stands on z = 0, open at the top, "
+    "faces\n"
+    "                                                        inwards: the silo of the benchmark\n"
+    "  box      x=0.19 y=1 z=0.03                            around the origin\n"
+    "  bar      length=0.19 height=0.03 width=1 nose_radius=0.005 nose_angle=0 undercut=0 "
+    "segments=8\n"
+    "                                                        of a grate: along x, its nose at x = "
+    "0\n"
+    "  tube     radius=0.1 end_radius=0.1 length=1 thickness=0 segments=48\n"
+    "                                                        from the origin along z\n"
+    "  bend     bending_radius=0.3 radius=0.1 angle=90 thickness=0 segments=48 rings=24\n"
+    "                                                        about y, from x = bending_radius\n"
+    "Lengths in metres, angles in degrees; the values shown are those of measures left out.\n"
+    "example: clast_mesh_shapes bar bar.stl nose_radius=0.008 segments=16\n";
+
+static const double DEGREE = 3.141592653589793 / 180;
 
 typedef struct measure {
     const char *name;
@@ -55,17 +66,77 @@ static mesh_status make_box(const measure *m, mesh_surface *surface) {
     return mesh_make_box((double[3]){m[0].value, m[1].value, m[2].value}, surface);
 }
 
+static mesh_status make_bar(const measure *m, mesh_surface *surface) {
+    return mesh_make_bar(&(mesh_bar){.length = m[0].value,
+                                     .height = m[1].value,
+                                     .width = m[2].value,
+                                     .nose_radius = m[3].value,
+                                     .nose_angle = DEGREE * m[4].value,
+                                     .undercut = m[5].value,
+                                     .segments = (int)m[6].value},
+                         surface);
+}
+
+static mesh_status make_tube(const measure *m, mesh_surface *surface) {
+    return mesh_make_tube(&(mesh_tube){.to = {0, 0, m[2].value},
+                                       .radius = m[0].value,
+                                       .end_radius = m[1].value,
+                                       .thickness = m[3].value,
+                                       .segments = (int)m[4].value},
+                          surface);
+}
+
+static mesh_status make_bend(const measure *m, mesh_surface *surface) {
+    return mesh_make_bend(&(mesh_bend){.mouth = {m[0].value, 0, 0},
+                                       .axis = {0, -1, 0},
+                                       .radius = m[1].value,
+                                       .angle = DEGREE * m[2].value,
+                                       .thickness = m[3].value,
+                                       .segments = (int)m[4].value,
+                                       .rings = (int)m[5].value},
+                          surface);
+}
+
+enum { MEASURES_MAX = 7 };
+
 static struct {
     const char *name;
     mesh_status (*make)(const measure *, mesh_surface *);
     int count;
-    measure measures[4];
+    measure measures[MEASURES_MAX];
 } SHAPES[] = {
     {"cylinder",
      make_cylinder,
      4,
      {{"radius", 0.1, false}, {"height", 1.2, false}, {"segments", 80, true}, {"bands", 12, true}}},
     {"box", make_box, 3, {{"x", 0.19, false}, {"y", 1, false}, {"z", 0.03, false}}},
+    {"bar",
+     make_bar,
+     7,
+     {{"length", 0.19, false},
+      {"height", 0.03, false},
+      {"width", 1, false},
+      {"nose_radius", 0.005, false},
+      {"nose_angle", 0, false},
+      {"undercut", 0, false},
+      {"segments", 8, true}}},
+    {"tube",
+     make_tube,
+     5,
+     {{"radius", 0.1, false},
+      {"end_radius", 0.1, false},
+      {"length", 1, false},
+      {"thickness", 0, false},
+      {"segments", 48, true}}},
+    {"bend",
+     make_bend,
+     6,
+     {{"bending_radius", 0.3, false},
+      {"radius", 0.1, false},
+      {"angle", 90, false},
+      {"thickness", 0, false},
+      {"segments", 48, true},
+      {"rings", 24, true}}},
 };
 
 int main(int count, char **words) {

@@ -56,18 +56,45 @@ static void print_shapes(const scene *s) {
     }
 }
 
+static void print_wall(const scene *s, int i) {
+    const clast_world *w = s->world;
+    clast_wall_def wall = clast_world_wall(w, i);
+    printf("  %s: %s of %s, part %s, at [%.4g, %.4g, %.4g] m, normal [%.4g, %.4g, %.4g]\n",
+           wall.name, wall.kind == CLAST_WALL_PLANE ? "plane" : "plate",
+           s->materials[wall.material].name, clast_world_part(w, clast_world_wall_part(w, i)).name,
+           wall.point.x, wall.point.y, wall.point.z, wall.normal.x, wall.normal.y, wall.normal.z);
+}
+
+/* All flat pieces of a mesh in one line. */
+static void print_mesh(const scene *s, const scene_mesh *m) {
+    double low[3], high[3];
+    for (size_t i = 0; i < 3 * m->vertex_count; i++) {
+        double x = m->vertex[i];
+        low[i % 3] = i < 3 || x < low[i % 3] ? x : low[i % 3];
+        high[i % 3] = i < 3 || x > high[i % 3] ? x : high[i % 3];
+    }
+    clast_wall_def wall = clast_world_wall(s->world, m->wall);
+    printf("  %s: %zu triangles in %d pieces of %s, part %s, from [%.4g, %.4g, %.4g] to [%.4g, "
+           "%.4g, %.4g] m\n",
+           m->name, m->triangle_count, m->walls, s->materials[wall.material].name,
+           clast_world_part(s->world, clast_world_wall_part(s->world, m->wall)).name, low[0],
+           low[1], low[2], high[0], high[1], high[2]);
+}
+
 static void print_walls(const scene *s) {
     const clast_world *w = s->world;
     printf("walls: %d in %d part%s\n", clast_world_wall_count(w), clast_world_part_count(w),
            clast_world_part_count(w) == 1 ? "" : "s");
-    for (int i = 0; i < clast_world_wall_count(w); i++) {
-        clast_wall_def wall = clast_world_wall(w, i);
-        printf("  %s: %s of %s, part %s, at [%.4g, %.4g, %.4g] m, normal [%.4g, %.4g, %.4g]\n",
-               wall.name, wall.kind == CLAST_WALL_PLANE ? "plane" : "plate",
-               s->materials[wall.material].name,
-               clast_world_part(w, clast_world_wall_part(w, i)).name, wall.point.x, wall.point.y,
-               wall.point.z, wall.normal.x, wall.normal.y, wall.normal.z);
+    const scene_mesh *m = s->meshes, *end = s->meshes + s->mesh_count;
+    for (int i = 0; i < clast_world_wall_count(w);) {
+        if (m < end && m->wall == i) {
+            print_mesh(s, m);
+            i += m++->walls;
+        } else {
+            print_wall(s, i++);
+        }
     }
+    if (s->mesh_reports[0]) printf("meshes:\n%s", s->mesh_reports);
 }
 
 static void print_parameters(const clast_pair_def *pair) {

@@ -5,12 +5,12 @@
 /* Exit codes of every command, as printed by `clast --help`. */
 typedef enum clast_exit {
     CLAST_EXIT_OK = 0,
-    CLAST_EXIT_RUN_FAILED = 1,    /* a guard stopped the run: what, who, where and when */
-    CLAST_EXIT_USAGE = 2,         /* unknown command, option or argument */
-    CLAST_EXIT_BAD_SCENE = 3,     /* the scene has faults; each was printed with its line */
-    CLAST_EXIT_FILE = 4,          /* a file or folder cannot be read or written */
-    CLAST_EXIT_MISMATCH = 5,      /* --resume with a checkpoint of another scene */
-    CLAST_EXIT_INTERRUPTED = 130  /* ctrl-C: a checkpoint was written */
+    CLAST_EXIT_RUN_FAILED = 1,   /* a guard stopped the run: what, who, where and when */
+    CLAST_EXIT_USAGE = 2,        /* unknown command, option or argument */
+    CLAST_EXIT_BAD_SCENE = 3,    /* the scene has faults; each was printed with its line */
+    CLAST_EXIT_FILE = 4,         /* a file or folder cannot be read or written */
+    CLAST_EXIT_MISMATCH = 5,     /* --resume with a checkpoint of another scene */
+    CLAST_EXIT_INTERRUPTED = 130 /* ctrl-C: a checkpoint was written */
 } clast_exit;
 
 /* argv[0] is the name of the command; each knows --help. */

@@ -115,28 +115,58 @@ static void add_surface(wall_surfaces *w, const polygon *p) {
                                  .edge_colour = {70, 80, 95}};
 }
 
+static void make_room(wall_surfaces *w, const stage *s) {
+    size_t vertices = 0, surfaces = s->wall_count + s->mesh_count;
+    for (size_t i = 0; i < s->mesh_count; i++) vertices += s->meshes[i].vertex_count;
+    w->walls = calloc(surfaces + 1, sizeof *w->walls);
+    w->vertices = calloc(s->wall_count + 1, WALL_VERTICES * 3 * sizeof *w->vertices);
+    w->indices = calloc(s->wall_count + 1, WALL_FACES * 3 * sizeof *w->indices);
+    w->mesh_vertices = calloc(vertices + 1, 3 * sizeof *w->mesh_vertices);
+    CLAST_ASSERT(w->walls && w->vertices && w->indices && w->mesh_vertices);
+}
+
+static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clast_vec3 offset) {
+    const double by[3] = {offset.x, offset.y, offset.z};
+    for (size_t i = 0; i < 3 * m->vertex_count; i++) vertex[i] = m->vertex[i] + by[i % 3];
+    w->walls[w->count++] = (render_walls){.vertex_count = m->vertex_count,
+                                          .vertex = vertex,
+                                          .face_count = m->triangle_count,
+                                          .corners = 3,
+                                          .index = m->triangle,
+                                          .colour = {150, 160, 175},
+                                          .opacity = 1,
+                                          .edge_px = 1.2,
+                                          .edge_colour = {55, 62, 72}};
+}
+
+static void add_meshes(wall_surfaces *w, const stage *s, double time) {
+    double *vertex = w->mesh_vertices;
+    for (size_t i = 0; i < s->mesh_count; i++) {
+        const stage_mesh *m = &s->meshes[i];
+        clast_vec3 offset;
+        if (stage_wall_offset(&s->walls[m->wall], time, &offset)) add_mesh(w, m, vertex, offset);
+        vertex += 3 * m->vertex_count;
+    }
+}
+
 void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
                       const double high[3]) {
     CLAST_ASSERT(w && s);
-    if (!w->walls) {
-        w->walls = calloc(s->wall_count + 1, sizeof *w->walls);
-        w->vertices = calloc(s->wall_count + 1, WALL_VERTICES * 3 * sizeof *w->vertices);
-        w->indices = calloc(s->wall_count + 1, WALL_FACES * 3 * sizeof *w->indices);
-        CLAST_ASSERT(w->walls && w->vertices && w->indices);
-    }
+    if (!w->walls) make_room(w, s);
     w->count = 0;
     for (size_t i = 0; i < s->wall_count; i++) {
         const stage_wall *l = &s->walls[i];
         clast_vec3 offset;
-        if (!stage_wall_offset(l, time, &offset)) continue;
+        if (l->kind == CLAST_WALL_PATCH || !stage_wall_offset(l, time, &offset)) continue;
         double at[3] = {l->point.x + offset.x, l->point.y + offset.y, l->point.z + offset.z};
         polygon p =
             l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at) : plane_polygon(l, at, low, high);
         if (p.count >= 3) add_surface(w, &p);
     }
+    add_meshes(w, s, time);
 }
 
 void wall_surfaces_free(wall_surfaces *w) {
-    free(w->walls), free(w->vertices), free(w->indices);
+    free(w->walls), free(w->vertices), free(w->indices), free(w->mesh_vertices);
     *w = (wall_surfaces){0};
 }

@@ -12,10 +12,11 @@ typedef struct wall_surfaces {
     render_walls *walls;
     double *vertices;
     uint32_t *indices;
+    double *mesh_vertices; /* of all meshes, moved */
 } wall_surfaces;
 
 /* The walls that are there at `time`, where they are then. Infinite planes are cut out by the box,
- * which must not be empty. */
+ * which must not be empty. Meshes hide what is behind them, planes and plates do not. */
 void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
                       const double high[3]);
 void wall_surfaces_free(wall_surfaces *w);

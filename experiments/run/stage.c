@@ -173,6 +173,7 @@ void stage_write(h5_file *f, const scene *s) {
                         d->domain_max.x, d->domain_max.y, d->domain_max.z};
     h5_write_column(f, "/domain", H5_F64, 6, domain);
     write_walls(f, s->world);
+    stage_meshes_write(f, s);
     write_view(f, &s->view);
 }
 
@@ -186,12 +187,14 @@ stage *stage_read(h5_file *f) {
     s->domain_min = (clast_vec3){domain[0], domain[1], domain[2]};
     s->domain_max = (clast_vec3){domain[3], domain[4], domain[5]};
     read_walls(f, s);
+    s->meshes = stage_meshes_read(f, s->wall_count, &s->mesh_count);
     read_view(f, s);
     return s;
 }
 
 void stage_free(stage *s) {
     if (!s) return;
+    stage_meshes_free(s->meshes, s->mesh_count);
     free(s->title), free(s->preset), free(s->map), free(s->walls);
     free(s);
 }

@@ -5,6 +5,7 @@
 #define CLAST_RUN_STAGE_H
 
 #include "engine/hdf5_io.h"
+#include "experiments/run/stage_mesh.h"
 #include "experiments/scene/scene.h"
 
 enum { STAGE_NAME_MAX = 64 };
@@ -22,7 +23,9 @@ typedef struct stage {
     view view; /* preset and map point to the above */
     clast_vec3 domain_min, domain_max;
     size_t wall_count;
-    stage_wall *walls;
+    stage_wall *walls; /* a flat piece of a mesh is one of these, too */
+    size_t mesh_count;
+    stage_mesh *meshes;
 } stage;
 
 void stage_write(h5_file *f, const scene *s);

@@ -2,6 +2,8 @@
  * it. */
 #include "experiments/scene/build.h"
 
+#include "engine/vec.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -168,28 +170,67 @@ static void add_materials(scene_reader *r, clast_world *w, const scene_draft *d)
     }
 }
 
-static void add_wall(scene_reader *r, clast_world *w, const wall_item *wall, int still) {
-    bool plane = tree_get(wall->item.node, "plane") != NULL;
-    clast_wall_def def = plane ? wall->plane : wall->plate;
-    def.name = wall->item.name;
-    def.kind = plane ? CLAST_WALL_PLANE : CLAST_WALL_PLATE;
-    def.material = wall->material;
-    def.belt_velocity = wall->belt;
-    if (clast_wall_add(w, wall->part < 0 ? still : wall->part, &def) < 0)
-        FAULT(wall->item.node, NULL, "%s", clast_world_error(w));
+int scene_copies(const wall_item *wall) {
+    return wall->copies.count > 0 ? wall->copies.count : 1;
 }
 
-static void add_walls(scene_reader *r, clast_world *w, const scene_draft *d) {
+const char *scene_copy_name(scene_arena *arena, const wall_item *wall, int copy) {
+    if (wall->copies.count == 0) return wall->item.name;
+    return scene_print(arena, "%s-%d", wall->item.name, copy + 1);
+}
+
+int scene_copy_part(const wall_item *wall, int copy, int still) {
+    const name_list *parts = &wall->copies.parts;
+    int part = parts->count > 0 ? parts->index[copy % parts->count] : wall->part;
+    return part < 0 ? still : part;
+}
+
+clast_vec3 scene_copy_shift(const wall_item *wall, int copy) {
+    return v3_scale(copy, wall->copies.step);
+}
+
+static void add_wall(scene_reader *r, clast_world *w, const wall_item *wall, int still) {
+    bool plane = tree_get(wall->item.node, "plane") != NULL;
+    for (int i = 0; i < scene_copies(wall); i++) {
+        clast_wall_def def = plane ? wall->plane : wall->plate;
+        def.name = scene_copy_name(r->arena, wall, i);
+        def.kind = plane ? CLAST_WALL_PLANE : CLAST_WALL_PLATE;
+        def.point = v3_add(def.point, scene_copy_shift(wall, i));
+        def.material = wall->material;
+        def.belt_velocity = wall->belt;
+        if (clast_wall_add(w, scene_copy_part(wall, i, still), &def) >= 0) continue;
+        FAULT(wall->item.node, NULL, "%s", clast_world_error(w));
+        return;
+    }
+}
+
+static bool is_still(const wall_item *wall) {
+    return wall->part < 0 && wall->copies.parts.count == 0;
+}
+
+static void make_room_for_meshes(scene_reader *r, scene_draft *d) {
+    int count = 0;
+    EACH(wall_item, wall, d->walls) count += scene_is_surface(wall) ? scene_copies(wall) : 0;
+    d->meshes = scene_alloc(r->arena, ((size_t)count + 1) * sizeof *d->meshes);
+}
+
+static void add_walls(scene_reader *r, clast_world *w, scene_draft *d) {
     bool needs_still = false;
     EACH(part_item, part, d->parts) {
         clast_part_def def = part->def;
         def.name = part->item.name;
         if (clast_part_add(w, &def) < 0) FAULT(part->item.node, NULL, "%s", clast_world_error(w));
     }
-    EACH(wall_item, wall, d->walls) needs_still = needs_still || wall->part < 0;
+    EACH(wall_item, wall, d->walls) needs_still = needs_still || is_still(wall);
     if (r->faults->errors) return; /* indices of parts would be off */
     int still = needs_still ? clast_part_add(w, &(clast_part_def){.name = "still"}) : -1;
-    EACH(wall_item, wall, d->walls) add_wall(r, w, wall, still);
+    make_room_for_meshes(r, d);
+    EACH(wall_item, wall, d->walls) {
+        if (scene_is_surface(wall))
+            scene_add_surface(r, w, d, wall, still);
+        else
+            add_wall(r, w, wall, still);
+    }
 }
 
 /* ---- bodies ---------------------------------------------------------------------------------- */

@@ -30,6 +30,16 @@ void scene_fill_shapes(scene_reader *r, scene_draft *draft);
 /* check.c: what one key cannot tell alone. */
 void scene_check(scene_reader *r, const scene_draft *draft);
 
+/* surface.c: walls of triangles. `copy` counts from 0; each goes to the part that is its turn. */
+bool scene_is_surface(const wall_item *wall);
+void scene_add_surface(scene_reader *r, clast_world *w, scene_draft *draft, const wall_item *wall,
+                       int still);
+/* build.c: names and parts of the copies of a wall of any kind, and how far each is moved. */
+int scene_copies(const wall_item *wall); /* 1 without `copies` */
+const char *scene_copy_name(scene_arena *arena, const wall_item *wall, int copy);
+int scene_copy_part(const wall_item *wall, int copy, int still);
+clast_vec3 scene_copy_shift(const wall_item *wall, int copy);
+
 /* Bodies on their way into the world, with what placing the next one needs to know. */
 typedef struct crowd {
     clast_body_def *bodies;
@@ -40,7 +50,7 @@ typedef struct crowd {
     const double *shape_reach;    /* m, by shape of the world */
     const double *shape_mass;     /* kg, likewise */
     const shape_family *families; /* by shape of the scene; NULL: each is its own template */
-    int plane_axis;            /* -1: 3-D */
+    int plane_axis;               /* -1: 3-D */
     uint64_t seed;
 } crowd;
 

@@ -189,6 +189,13 @@ static void check_shape(scene_reader *r, const shape_item *shape) {
 
 /* ---- parts and walls ------------------------------------------------------------------------- */
 
+static bool has_part(const wall_item *wall, int part) {
+    const name_list *parts = &wall->copies.parts;
+    for (int i = 0; i < parts->count; i++)
+        if (parts->index[i] == part) return true;
+    return parts->count == 0 && wall->part == part;
+}
+
 static void check_parts(scene_reader *r, const scene_draft *d) {
     EACH(part_item, part, d->parts) {
         const clast_part_def *def = &part->def;
@@ -196,7 +203,7 @@ static void check_parts(scene_reader *r, const scene_draft *d) {
             FAULT(part->item.node, "move_until", "found %g s, expected more than move_from, %g s",
                   def->move_until, def->move_from);
         bool used = false;
-        EACH(wall_item, wall, d->walls) used = used || wall->part == part->item.node->index;
+        EACH(wall_item, wall, d->walls) used = used || has_part(wall, part->item.node->index);
         if (!used)
             scene_warn(r->faults, part->item.node->line, tree_path(r->arena, part->item.node, NULL),
                        "has no walls");
@@ -209,17 +216,47 @@ static void check_direction(scene_reader *r, const tree_node *node, const char *
         FAULT(node, key, "found [%g, %g, %g], expected a direction", v.x, v.y, v.z);
 }
 
-static void check_wall(scene_reader *r, const wall_item *wall) {
-    const tree_node *plane = tree_get(wall->item.node, "plane");
-    const tree_node *plate = tree_get(wall->item.node, "plate");
-    if (plane) check_direction(r, plane, "normal", wall->plane.normal);
-    if (!plate) return;
+static void check_turn(scene_reader *r, const tree_node *node, const rotation *t) {
+    if (!node) return;
+    check_direction(r, node, "axis", t->axis);
+    const double *q = t->quaternion;
+    if (was_given(r, node, "quaternion") && q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
+        FAULT(node, "quaternion", "found [0, 0, 0, 0], expected a rotation");
+}
+
+static void check_plate(scene_reader *r, const wall_item *wall, const tree_node *plate) {
     clast_vec3 n = wall->plate.normal, s = wall->plate.side;
     check_direction(r, plate, "normal", n);
     check_direction(r, plate, "side", s);
     if (is_faulty(r, plate, NULL)) return;
     if (fabs(dot(n, s)) > 1e-9 * length(n) * length(s))
         FAULT(plate, "side", "found a direction that is not at right angles to the normal");
+}
+
+static void check_surface(scene_reader *r, const wall_item *wall) {
+    static const char *const OF_FILES[] = {"unit", "axes", "weld"};
+    static const char *const OF_TRIANGLES[] = {"scale", "rotation", "at"};
+    const tree_node *node = wall->item.node;
+    for (int i = 0; i < 3; i++) {
+        check_unused(r, node, OF_FILES[i], tree_get(node, "mesh") != NULL, "mesh");
+        check_unused(r, node, OF_TRIANGLES[i], scene_is_surface(wall), "mesh, bar, tube and bend");
+    }
+    check_turn(r, tree_get(node, "rotation"), &wall->surface.turn);
+    int axis[3];
+    if (was_given(r, node, "axes") && mesh_axes_parse(wall->surface.axes, axis) != MESH_OK)
+        FAULT(node, "axes", "found '%s', expected x, y and z once each, such as x -z y",
+              wall->surface.axes);
+}
+
+static void check_wall(scene_reader *r, const wall_item *wall) {
+    const tree_node *node = wall->item.node;
+    const tree_node *plane = tree_get(node, "plane"), *plate = tree_get(node, "plate");
+    if (plane) check_direction(r, plane, "normal", wall->plane.normal);
+    if (plate) check_plate(r, wall, plate);
+    check_surface(r, wall);
+    const tree_node *copies = tree_get(node, "copies");
+    if (tree_get(node, "part") && tree_get(copies, "parts"))
+        FAULT(node, "part", "found beside copies.parts, expected one of the two");
 }
 
 /* ---- bodies ---------------------------------------------------------------------------------- */
@@ -240,14 +277,6 @@ static void check_motion(scene_reader *r, const scene_draft *d, const tree_node 
     if (component(spin, (axis + 1) % 3) != 0 || component(spin, (axis + 2) % 3) != 0)
         FAULT(node, "spin", "found a spin out of the plane of motion, expected one about %c alone",
               "xyz"[axis]);
-}
-
-static void check_turn(scene_reader *r, const tree_node *node, const rotation *t) {
-    if (!node) return;
-    check_direction(r, node, "axis", t->axis);
-    const double *q = t->quaternion;
-    if (was_given(r, node, "quaternion") && q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0)
-        FAULT(node, "quaternion", "found [0, 0, 0, 0], expected a rotation");
 }
 
 static void check_generator(scene_reader *r, const scene_draft *d, const tree_node *node,

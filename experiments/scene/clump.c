@@ -6,9 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifdef CLAST_HAS_MESHES
 #include "meshes/mesh.h"
-#endif
 
 enum { LINE_BYTES = 4096, FAULTS_MAX = 20 };
 
@@ -139,7 +137,6 @@ shape_target *scene_profile_target(scene_faults *faults, const char *path, doubl
 /* ---- meshes
  * -------------------------------------------------------------------------------------- */
 
-#ifdef CLAST_HAS_MESHES
 /* Holes are no fault: the winding number says what is inside; the volume lacks what they lack. */
 static void warn_open(scene_faults *faults, const char *path, const mesh_report *report) {
     if (report->closed) return;
@@ -175,12 +172,3 @@ shape_target *scene_mesh_target(scene_faults *faults, const char *path, double u
         warn_open(faults, path, &report);
     return target;
 }
-#else
-shape_target *scene_mesh_target(scene_faults *faults, const char *path, double unit) {
-    SCENE_ASSERT(faults && path && unit > 0);
-    scene_report_in(faults, path, 0, "",
-                    "found a mesh, but this program was built without "
-                    "meshes/ (libassimp-dev)");
-    return NULL;
-}
-#endif

@@ -6,6 +6,7 @@
 
 #include "experiments/scene/scene.h"
 #include "experiments/scene/tree.h"
+#include "meshes/shapes.h"
 
 /* An entry of a list or of a map of names; the first member of every item below. */
 typedef struct item {
@@ -94,10 +95,41 @@ typedef struct part_item {
     clast_part_def def;
 } part_item;
 
+typedef struct rotation {
+    clast_vec3 axis;
+    double angle;
+    double quaternion[4];
+} rotation;
+
+typedef struct name_list {
+    int *index;
+    int count;
+} name_list;
+
+/* The same wall several times; count 0: once. */
+typedef struct copies_rule {
+    int count;
+    clast_vec3 step;
+    name_list parts; /* in turn; empty: the part of the wall */
+} copies_rule;
+
+/* A wall of triangles, from a file or made from measures, and where it is put. */
+typedef struct surface_rule {
+    const char *mesh, *axes;
+    double unit, weld, scale;
+    mesh_bar bar; /* whichever the file gives */
+    mesh_tube tube;
+    mesh_bend bend;
+    rotation turn;
+    clast_vec3 at;
+} surface_rule;
+
 typedef struct wall_item {
     item item;
     int part; /* -1: a part of its own that never moves, shared by all such walls */
     clast_wall_def plane, plate; /* whichever the file gives */
+    surface_rule surface;
+    copies_rule copies;
     int material;
     clast_vec3 belt;
 } wall_item;
@@ -107,12 +139,6 @@ typedef enum orientation_rule {
     ORIENT_RANDOM,         /* uniform on the rotation group */
     ORIENT_RANDOM_IN_PLANE /* about the normal of the plane of motion */
 } orientation_rule;
-
-typedef struct rotation {
-    clast_vec3 axis;
-    double angle;
-    double quaternion[4];
-} rotation;
 
 typedef struct mixture_item {
     item item;
@@ -157,6 +183,9 @@ typedef struct scene_draft {
     const char *library, *function; /* of a contact law of the user's own; NULL: not given */
     uint64_t seed;
     item_list materials, pairs, shapes, parts, walls, bodies, measures;
+    scene_mesh *meshes; /* by scene_build(): walls of triangles as they stand in the world */
+    int mesh_count;
+    const char *mesh_reports; /* what was found in each file or shape, a few lines each */
     ending ending;
     output_plan output;
     view view;

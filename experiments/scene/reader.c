@@ -308,6 +308,18 @@ static void read_names(scene_reader *r, const scene_key *key, const tree_node *n
     if (first && second) memcpy(field, index, sizeof index);
 }
 
+static void read_name_list(scene_reader *r, const scene_key *key, const tree_node *node,
+                           void *field) {
+    if (node->kind != TREE_LIST || node->children == 0) {
+        expected(r, key, node);
+        return;
+    }
+    name_list *list = field;
+    list->index = scene_alloc(r->arena, (size_t)node->children * sizeof *list->index);
+    for (const tree_node *child = node->first; child; child = child->next)
+        if (name(r, key, child, &list->index[list->count])) list->count++;
+}
+
 /* ---- sections -------------------------------------------------------------------------------- */
 
 static void read_inner(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
@@ -349,7 +361,7 @@ static read_fn *const READ[] = {
     [KEY_VECTOR] = read_vector, [KEY_SPACING] = read_spacing,    [KEY_NUMBERS] = read_numbers,
     [KEY_VALUES] = read_values, [KEY_POINTS] = read_points,      [KEY_INTERVAL] = read_interval,
     [KEY_SECTION] = read_inner, [KEY_PART] = read_inner,         [KEY_NAMED] = read_items,
-    [KEY_LIST] = read_items,    [KEY_PARAMETERS] = read_nothing,
+    [KEY_LIST] = read_items,    [KEY_PARAMETERS] = read_nothing, [KEY_NAME_LIST] = read_name_list,
 };
 
 static void *field_of(const scene_key *key, void *target) {

@@ -65,6 +65,9 @@ static void append_kind(scene_buffer *out, const scene_key *key) {
     case KEY_NAMES:
         scene_append(out, "[a, b], both names from %s", key->refers);
         break;
+    case KEY_NAME_LIST:
+        scene_append(out, "[a, b, ...], names from %s", key->refers);
+        break;
     case KEY_VECTOR:
         append_list(out, key, "[x, y, z]");
         break;

@@ -102,6 +102,25 @@ static void keep_materials(scene *s, const scene_draft *draft) {
         s->pairs[i] = (scene_pair){pairs[i].between[0], pairs[i].between[1], pairs[i].def};
 }
 
+static void *copy_of(const void *from, size_t bytes) {
+    void *copy = allocate(1, bytes);
+    memcpy(copy, from, bytes);
+    return copy;
+}
+
+static void keep_meshes(scene *s, const scene_draft *draft) {
+    s->mesh_count = draft->mesh_count;
+    s->meshes = allocate(s->mesh_count, sizeof *s->meshes);
+    for (int i = 0; i < s->mesh_count; i++) {
+        const scene_mesh *m = &draft->meshes[i];
+        s->meshes[i] = *m;
+        s->meshes[i].name = duplicate(m->name);
+        s->meshes[i].vertex = copy_of(m->vertex, 3 * m->vertex_count * sizeof *m->vertex);
+        s->meshes[i].triangle = copy_of(m->triangle, 3 * m->triangle_count * sizeof *m->triangle);
+    }
+    s->mesh_reports = duplicate(draft->mesh_reports ? draft->mesh_reports : "");
+}
+
 static char *clumps_of(const scene_draft *draft) {
     scene_buffer out = {0};
     scene_append(&out, "%s", "");
@@ -133,6 +152,7 @@ static scene *make_scene(const scene_draft *draft, clast_world *world, const cha
     const measure_item *items = draft->measures.items;
     for (int i = 0; i < s->measure_count; i++) s->measures[i] = measure_of(&items[i]);
     keep_materials(s, draft);
+    keep_meshes(s, draft);
     s->clumps = clumps_of(draft);
     bool own = draft->def.law == CLAST_LAW_USER;
     s->library = duplicate(own ? draft->library : NULL);
@@ -200,6 +220,10 @@ void scene_free(scene *s) {
     for (int i = 0; i < s->material_count; i++) free((char *)(uintptr_t)s->materials[i].name);
     free(s->materials);
     free(s->pairs);
+    for (int i = 0; i < s->mesh_count; i++)
+        free(s->meshes[i].name), free(s->meshes[i].vertex), free(s->meshes[i].triangle);
+    free(s->meshes);
+    free(s->mesh_reports);
     free(s->clumps);
     free(s->library);
     free(s->function);

@@ -73,6 +73,15 @@ typedef struct scene_pair {
     clast_pair_def def;
 } scene_pair;
 
+/* A wall of triangles as it stands at t = 0: for pictures. */
+typedef struct scene_mesh {
+    char *name;
+    int wall, walls; /* its first wall in the world, and how many it became */
+    size_t vertex_count, triangle_count;
+    double *vertex;    /* m, x y z x y z ... */
+    int32_t *triangle; /* three vertex numbers each */
+} scene_mesh;
+
 typedef struct scene {
     char *path, *title;
     char *text;         /* the file as read, with parameters after --set: goes into run.h5 */
@@ -87,6 +96,9 @@ typedef struct scene {
     int material_count;
     scene_pair *pairs;
     int pair_count;
+    scene_mesh *meshes;
+    int mesh_count;
+    char *mesh_reports;       /* what the import found, a few lines for each, "" for none */
     char *clumps;             /* how shapes were filled, a line each, "" for none */
     char *library, *function; /* of a contact law of the user's own; NULL without one */
 } scene;

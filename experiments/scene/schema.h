@@ -21,6 +21,7 @@ typedef enum key_kind {                /* field in the target struct */
                         KEY_FILE,      /* const char *, an existing file or folder */
                         KEY_NAME,      /* int: index of an entry of the section `refers` */
                         KEY_NAMES,     /* int[2] */
+                        KEY_NAME_LIST, /* name_list */
                         KEY_VECTOR,    /* clast_vec3 */
                         KEY_SPACING,   /* clast_vec3, one number stands for all three */
                         KEY_NUMBERS,   /* double[length] */

@@ -72,10 +72,13 @@ static void note(key_set *set, const scene_key *key) {
     set->keys[set->count++] = key;
 }
 
-/* Filling solids and meshes with spheres takes a while: tests/shapes/scene_test.c does it once. */
-static bool is_tested_with_shapes(const scene_key *key) {
-    static const char *const KEYS[] = {"solid", "profile", "mesh", "unit", "fill", "mass_from"};
-    for (int i = 0; i < 6; i++)
+/* Filling solids and meshes with spheres takes a while: tests/shapes/scene_test.c does it once.
+ * Walls of triangles are in walls_test.c. */
+static bool is_tested_elsewhere(const scene_key *key) {
+    static const char *const KEYS[] = {"solid", "profile", "mesh",     "unit", "fill", "mass_from",
+                                       "bar",   "tube",    "bend",     "axes", "weld", "scale",
+                                       "at",    "copies",  "rotation"};
+    for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; i++)
         if (!strcmp(key->name, KEYS[i])) return true;
     return false;
 }
@@ -85,7 +88,7 @@ static void walk(const key_section *section, const tree_node *node, bool used_on
     for (int i = 0; i < section->count; i++) {
         const scene_key *key = &section->keys[i];
         const tree_node *value = tree_get(node, key->name);
-        if ((used_only && !value) || is_tested_with_shapes(key)) continue;
+        if ((used_only && !value) || is_tested_elsewhere(key)) continue;
         bool seen = holds(set, key);
         note(set, key);
         bool items = key->kind == KEY_NAMED || key->kind == KEY_LIST;

@@ -1,0 +1,136 @@
+/* walls_test.c - walls of triangles: every key of walls.yaml is found again in the world. */
+#include "tests/scene/testing.h"
+
+#include "experiments/scene/scene.h"
+#include "meshes/shapes.h"
+
+static const char WALLS[] = CLAST_SCENES "/walls.yaml";
+static const double DEGREE = 3.141592653589793 / 180;
+
+static scene *load(const char *const *set, int count) {
+    char *faults = NULL;
+    scene_options options = {.set = set, .set_count = count};
+    scene *s = scene_load(WALLS, &options, &faults);
+    if (!s || faults) fail_msg("%s", faults ? faults : "no scene, no faults");
+    return s;
+}
+
+static const scene_mesh *find(const scene *s, const char *name) {
+    for (int i = 0; i < s->mesh_count; i++)
+        if (strcmp(s->meshes[i].name, name) == 0) return &s->meshes[i];
+    fail_msg("no mesh %s", name);
+    return NULL;
+}
+
+static const char *part_of(const scene *s, int wall) {
+    return clast_world_part(s->world, clast_world_wall_part(s->world, wall)).name;
+}
+
+static void near(double got, double want) {
+    if (!(fabs(got - want) < 1e-14)) fail_msg("got %.17g, expected %.17g", got, want);
+}
+
+static void has_vertex(const scene_mesh *m, size_t i, double x, double y, double z) {
+    const double *p = m->vertex + 3 * i;
+    if (!(fabs(p[0] - x) < 1e-7 && fabs(p[1] - y) < 1e-7 && fabs(p[2] - z) < 1e-7))
+        fail_msg("%s: got %.9g %.9g %.9g, expected %g %g %g", m->name, p[0], p[1], p[2], x, y, z);
+}
+
+/* y up, millimetres, doubled, turned by a right angle about z, moved, three times; single precision
+ * as assimp reads it. */
+static void a_file_is_put_in_its_place(void **state) {
+    (void)state;
+    scene *s = load(NULL, 0);
+    for (int i = 0; i < 3; i++) {
+        char name[20];
+        snprintf(name, sizeof name, "wedge-%d", i + 1);
+        const scene_mesh *m = find(s, name);
+        assert_int_equal(m->vertex_count, 6);
+        assert_int_equal(m->triangle_count, 8);
+        assert_int_equal(m->walls, 5); /* two triangles and three rectangles */
+        has_vertex(m, 0, 1, 2 + 0.1 * i, 3);
+        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+        for (size_t k = 0; k < 3 * m->vertex_count; k++) {
+            low[k % 3] = fmin(low[k % 3], m->vertex[k]);
+            high[k % 3] = fmax(high[k % 3], m->vertex[k]);
+        }
+        const double want[] = {1, 2 + 0.1 * i, 3, 1.04, 2.06 + 0.1 * i, 3.02};
+        for (int k = 0; k < 3; k++) {
+            assert_true(fabs(low[k] - want[k]) < 1e-7);
+            assert_true(fabs(high[k] - want[3 + k]) < 1e-7);
+        }
+        assert_string_equal(part_of(s, m->wall), i == 1 ? "two" : "one");
+        snprintf(name, sizeof name, "wedge-%d/0", i + 1);
+        assert_string_equal(clast_world_wall(s->world, m->wall).name, name);
+    }
+    scene_free(s);
+}
+
+/* The same vertices and triangles as straight from meshes/, moved by z. */
+static void same_shape(const scene_mesh *m, mesh_status status, mesh_surface *want, double z) {
+    assert_int_equal(status, MESH_OK);
+    assert_int_equal(m->vertex_count, want->vertex_count);
+    assert_int_equal(m->triangle_count, want->triangle_count);
+    for (size_t i = 0; i < 3 * m->vertex_count; i++)
+        near(m->vertex[i], want->vertex[i] + (i % 3 == 2 ? z : 0));
+    assert_memory_equal(m->triangle, want->triangle, 3 * m->triangle_count * sizeof *m->triangle);
+    mesh_free(want);
+}
+
+static void shapes_have_the_measures_of_the_scene(void **state) {
+    (void)state;
+    scene *s = load(NULL, 0);
+    mesh_surface want;
+    mesh_bar bar = {0.18, 0.028, 0.05, 0.006, 10 * DEGREE, 0.002, 5};
+    same_shape(find(s, "bar"), mesh_make_bar(&bar, &want), &want, -1);
+    assert_string_equal(part_of(s, find(s, "bar")->wall), "two");
+    mesh_tube tube = {{0, 0, 0}, {0, 0, 0.3}, 0.05, 0.06, 0.001, 7, MESH_FIT_OUTSIDE};
+    same_shape(find(s, "tube"), mesh_make_tube(&tube, &want), &want, 0);
+    tube = (mesh_tube){{1, 0, 0}, {1, 0, 0.3}, 0.05, 0.05, 0, 48, MESH_FIT_AREA};
+    same_shape(find(s, "pipe"), mesh_make_tube(&tube, &want), &want, 0);
+    mesh_bend bend = {{-1, 0, 0}, {-1.3, 0, 0},   {0, 1, 0}, 90 * DEGREE, 0.04, 0.002, 8,
+                      3,          MESH_FIT_INSIDE};
+    same_shape(find(s, "bend"), mesh_make_bend(&bend, &want), &want, 0);
+    assert_string_equal(part_of(s, find(s, "bend")->wall), "still");
+    scene_free(s);
+}
+
+static void belts_and_copies_reach_every_piece(void **state) {
+    (void)state;
+    scene *s = load(NULL, 0);
+    const scene_mesh *belt = find(s, "belt");
+    assert_int_equal(belt->walls, 6);
+    for (int i = 0; i < belt->walls; i++)
+        near(clast_world_wall(s->world, belt->wall + i).belt_velocity.z, 0.1);
+    int ribs = 0;
+    for (int i = 0; i < clast_world_wall_count(s->world); i++) {
+        clast_wall_def wall = clast_world_wall(s->world, i);
+        if (strncmp(wall.name, "rib-", 4) != 0) continue;
+        near(wall.point.x, 0.01 * ribs++);
+        assert_int_equal(wall.name[4], '0' + ribs);
+    }
+    assert_int_equal(ribs, 2);
+    assert_non_null(strstr(s->mesh_reports, "wedge.obj: 8 triangles, "));
+    assert_non_null(strstr(s->mesh_reports, "bend, bend: "));
+    scene_free(s);
+}
+
+/* One line replaces the file of a scene. */
+static void another_file_is_one_setting(void **state) {
+    (void)state;
+    mesh_surface box;
+    assert_int_equal(mesh_make_box((double[3]){10, 20, 30}, &box), MESH_OK);
+    assert_int_equal(mesh_write_stl(&box, CLAST_SCENE_SCRATCH "/box.stl"), MESH_OK);
+    mesh_free(&box);
+    scene *s = load((const char *[]){"wedge=" CLAST_SCENE_SCRATCH "/box.stl"}, 1);
+    assert_int_equal(find(s, "wedge-3")->triangle_count, 12);
+    scene_free(s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_file_is_put_in_its_place),
+                                       cmocka_unit_test(shapes_have_the_measures_of_the_scene),
+                                       cmocka_unit_test(belts_and_copies_reach_every_piece),
+                                       cmocka_unit_test(another_file_is_one_setting)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
