@@ -86,7 +86,7 @@ static mesh_status clean(mesh_work *w, const mesh_options *o) {
     if ((status = mesh_drop_unused(w)) != MESH_OK) return status;
     if ((status = mesh_check_edges(w, o->mend_winding)) != MESH_OK) return status;
     mesh_measure(w);
-    return MESH_OK;
+    return o->find_crossings ? mesh_find_crossings(w) : MESH_OK;
 }
 
 mesh_status mesh_clean(const char *name, mesh_surface *raw, const mesh_options *options,

@@ -18,11 +18,11 @@ typedef struct edges {
     int8_t *turned;   /* -1 not seen, 0, 1 */
 } edges;
 
-static int32_t start(const edges *e, int32_t at) {
-    return e->w->corner[at];
+static int32_t start(const mesh_work *w, int32_t at) {
+    return w->corner[at];
 }
-static int32_t end(const edges *e, int32_t at) {
-    return e->w->corner[at % 3 == 2 ? at - 2 : at + 1];
+static int32_t end(const mesh_work *w, int32_t at) {
+    return w->corner[at % 3 == 2 ? at - 2 : at + 1];
 }
 
 static int compare(const void *left, const void *right) {
@@ -30,6 +30,24 @@ static int compare(const void *left, const void *right) {
     if (a->low != b->low) return a->low < b->low ? -1 : 1;
     if (a->high != b->high) return a->high < b->high ? -1 : 1;
     return a->at < b->at ? -1 : a->at > b->at;
+}
+
+/* All sides, those of one edge next to each other. */
+static void sort_sides(const mesh_work *w, side *sides) {
+    size_t count = 3 * w->count;
+    for (size_t i = 0; i < count; i++) {
+        int32_t a = start(w, (int32_t)i), b = end(w, (int32_t)i);
+        sides[i] = (side){a < b ? a : b, a < b ? b : a, (int32_t)i};
+    }
+    qsort(sides, count, sizeof *sides, compare);
+}
+
+/* Past the last side of the edge that begins at `from`. */
+static size_t end_of_run(const side *sides, size_t from, size_t count) {
+    size_t to = from + 1;
+    while (to < count && sides[to].low == sides[from].low && sides[to].high == sides[from].high)
+        to++;
+    return to;
 }
 
 static void link_run(edges *e, const side *run, size_t length) {
@@ -46,15 +64,9 @@ static void link_run(edges *e, const side *run, size_t length) {
 
 static void link_sides(edges *e) {
     size_t count = 3 * e->w->count;
-    for (size_t i = 0; i < count; i++) {
-        int32_t a = start(e, (int32_t)i), b = end(e, (int32_t)i);
-        e->sides[i] = (side){a < b ? a : b, a < b ? b : a, (int32_t)i};
-    }
-    qsort(e->sides, count, sizeof *e->sides, compare);
+    sort_sides(e->w, e->sides);
     for (size_t i = 0, next; i < count; i = next) {
-        for (next = i + 1; next < count; next++)
-            if (e->sides[next].low != e->sides[i].low || e->sides[next].high != e->sides[i].high)
-                break;
+        next = end_of_run(e->sides, i, count);
         link_run(e, e->sides + i, next - i);
     }
 }
@@ -72,7 +84,7 @@ static void visit_side(edges *e, int32_t at, piece *p) {
         p->closed = false;
         return;
     }
-    int8_t want = (int8_t)(e->turned[t] ^ (start(e, at) == start(e, partner)));
+    int8_t want = (int8_t)(e->turned[t] ^ (start(e->w, at) == start(e->w, partner)));
     if (e->turned[next] < 0) {
         e->turned[next] = want;
         e->queue[p->size++] = next;
@@ -152,4 +164,27 @@ mesh_status mesh_check_edges(mesh_work *w, bool mend) {
     free(e.queue);
     free(e.turned);
     return ready ? MESH_OK : MESH_ERR_MEMORY;
+}
+
+mesh_status mesh_loose_edges(const mesh_surface *surface, int32_t **ends, size_t *count) {
+    MESH_ASSERT(surface && ends && count);
+    const mesh_work w = {.corner = surface->triangle, .count = surface->triangle_count};
+    size_t sides_count = 3 * w.count;
+    side *sides = mesh_array(sides_count, sizeof *sides);
+    *ends = mesh_array(sides_count, 2 * sizeof **ends);
+    *count = 0;
+    if (sides && *ends) {
+        sort_sides(&w, sides);
+        for (size_t i = 0, next; i < sides_count; i = next) {
+            next = end_of_run(sides, i, sides_count);
+            if (next - i == 2) continue;
+            (*ends)[2 * *count] = sides[i].low, (*ends)[2 * (*count)++ + 1] = sides[i].high;
+        }
+        free(sides);
+        return MESH_OK;
+    }
+    free(sides);
+    free(*ends);
+    *ends = NULL;
+    return MESH_ERR_MEMORY;
 }

@@ -73,10 +73,12 @@ typedef struct mesh_options {
                     outsides outside. */
     double weld; /* vertices closer than this share of the diagonal of the box become one, and
                     triangles flatter than this are slivers; 1e-12 to 1e-2, typical 1e-6 */
-    bool mend_winding; /* turn triangles that run against the rest of their piece */
+    bool mend_winding;   /* turn triangles that run against the rest of their piece */
+    bool find_crossings; /* look for triangles that pass through each other, too; takes about as
+                            long as reading them */
 } mesh_options;
 
-/* Metres, axes as they are, weld 1e-6, winding mended. */
+/* Metres, axes as they are, weld 1e-6, winding mended, crossings not looked for. */
 mesh_options mesh_options_default(void);
 
 /* "mm", "cm", "m", "inch" or a number of metres. */
@@ -122,6 +124,11 @@ typedef struct mesh_report {
     size_t inward;                /* closed pieces that face inwards (a cavity?): left so */
     bool closed;                  /* every edge joins two triangles that agree */
 
+    /* left as they are; all of this is 0 unless options.find_crossings */
+    bool crossings_sought, crossings_given_up; /* given up: there may be more */
+    mesh_finding crossings;   /* pairs that pass through each other by more than weld_distance */
+    size_t crossings_partner; /* the other triangle of the first pair */
+
     double area;            /* m2 */
     double volume;          /* m3, of a closed mesh; 0 otherwise */
     double low[3], high[3]; /* m, the box */
@@ -141,6 +148,10 @@ MESH_MUST_CHECK mesh_status mesh_load(const char *path, const mesh_options *opti
 MESH_MUST_CHECK mesh_status mesh_build(const char *name, const mesh_surface *raw,
                                        const mesh_options *options, mesh_surface *surface,
                                        mesh_report *report);
+
+/* The edges that do not join two triangles, as pairs of vertex numbers; the caller frees *ends. */
+MESH_MUST_CHECK mesh_status mesh_loose_edges(const mesh_surface *surface, int32_t **ends,
+                                             size_t *count);
 
 /* Binary STL in metres, single precision as the format has it; written aside and renamed. The same
  * surface gives the same bytes. */

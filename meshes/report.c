@@ -14,6 +14,17 @@ static void write_vertices(const mesh_report *r, FILE *to) {
     if (r->not_faces > 0) fprintf(to, "  points and lines: %zu, left out\n", r->not_faces);
 }
 
+static void write_crossings(const mesh_report *r, FILE *to) {
+    if (!r->crossings_sought) return;
+    fprintf(to, "  triangles that pass through each other: ");
+    if (r->crossings.count == 0)
+        fprintf(to, "%s", r->crossings_given_up ? "none found" : "none");
+    else
+        fprintf(to, "%zu pairs, left; the first: %zu and %zu", r->crossings.count,
+                r->crossings.first, r->crossings_partner);
+    fprintf(to, "%s\n", r->crossings_given_up ? "; given up, too many of them lie close" : "");
+}
+
 void mesh_report_write(const mesh_report *r, const char *name, FILE *to) {
     MESH_ASSERT(r && name && to);
     fprintf(to, "%s: %zu triangles, %zu vertices read\n", name, r->triangles_read,
@@ -32,6 +43,7 @@ void mesh_report_write(const mesh_report *r, const char *name, FILE *to) {
     line_of(to, &r->open_edges, "open edges", "left");
     line_of(to, &r->branching_edges, "edges of more than two triangles", "left");
     line_of(to, &r->twisted_edges, "edges that no turning makes agree", "left");
+    write_crossings(r, to);
     if (r->inward > 0) fprintf(to, "  closed pieces that face inwards: %zu, left\n", r->inward);
     fprintf(to, "  pieces: %zu, %s, area %.6g m2", r->pieces, r->closed ? "closed" : "not closed",
             r->area);

@@ -38,6 +38,9 @@ MESH_MUST_CHECK mesh_status mesh_drop_unused(mesh_work *w);
 /* edges.c: open and branching edges, pieces, winding; turns triangles when `mend` is set. */
 MESH_MUST_CHECK mesh_status mesh_check_edges(mesh_work *w, bool mend);
 
+/* crossings.c: pairs of triangles that pass through each other; needs the box of the report. */
+MESH_MUST_CHECK mesh_status mesh_find_crossings(mesh_work *w);
+
 /* measure.c: (b - a) x (c - a), twice the area along the normal; six times the volume between the
  * triangle and `origin`. */
 void mesh_normal(const mesh_work *w, size_t triangle, double normal[3]);

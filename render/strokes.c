@@ -91,13 +91,27 @@ static render_status list_faces(render_strokes *st, const render_scene *scene,
     return RENDER_OK;
 }
 
-/* Walls are lit a little by how squarely they face the eye, the same from both sides. */
+/* The same from both sides. A wall that is seen through is lit a little by how squarely it faces
+ * the eye; one that hides what is behind it has the key light of the spheres (shaders.c), so that
+ * its faces differ. */
+static double shade_of(const render_lens *lens, const double normal[3], double opacity) {
+    double right = 0, up = 0, ahead = 0;
+    for (int k = 0; k < 3; k++) {
+        right += normal[k] * lens->right[k];
+        up += normal[k] * lens->up[k];
+        ahead += normal[k] * lens->ahead[k];
+    }
+    if (opacity < 1) return 0.8 + 0.2 * fmin(1, fabs(ahead));
+    double towards = ahead > 0 ? -1 : 1;
+    double key = 0.5 + 0.5 * towards * (-0.43 * right + 0.62 * up - 0.656 * ahead);
+    return 0.4 + 0.6 * fmin(1, key);
+}
+
 static void add_face(render_strokes *st, const render_walls *w, size_t face,
                      const render_lens *lens) {
-    double normal[3], facing = 0;
+    double normal[3];
     face_normal(w, face, normal);
-    for (int k = 0; k < 3; k++) facing += normal[k] * lens->ahead[k];
-    uint32_t rgba = pack(w->colour, 0.8 + 0.2 * fmin(1, fabs(facing)), w->opacity);
+    uint32_t rgba = pack(w->colour, shade_of(lens, normal, w->opacity), w->opacity);
     for (int triangle = 0; triangle + 2 < w->corners; triangle++)
         for (int c = 0; c < 3; c++) {
             const double *p = wall_point(w, face, c == 0 ? 0 : triangle + c);

@@ -19,6 +19,7 @@ int cmd_plan(int argc, char **argv);
 int cmd_run(int argc, char **argv);
 int cmd_tune(int argc, char **argv);
 int cmd_shape(int argc, char **argv);
+int cmd_mesh(int argc, char **argv);
 int cmd_rtd(int argc, char **argv);
 int cmd_render(int argc, char **argv);
 

@@ -18,6 +18,7 @@ static const command COMMANDS[] = {
     {"tune", cmd_tune, "find the cheapest settings that keep what a scene measures"},
     {"shape", cmd_shape, "fill a solid, a profile or a mesh with spheres"},
     {"rtd", cmd_rtd, "say how long bodies stay between a feed and an outlet"},
+    {"mesh", cmd_mesh, "say what is wrong with a triangle mesh, draw it, write it out mended"},
     {"render", cmd_render, "draw the frames of a run as pictures and an animation"},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
