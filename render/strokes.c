@@ -93,7 +93,7 @@ static render_status list_faces(render_strokes *st, const render_scene *scene,
 
 /* The same from both sides. A wall that is seen through is lit a little by how squarely it faces
  * the eye; one that hides what is behind it has the key light of the spheres (shaders.c), so that
- * its faces differ. */
+ * its faces differ. Either has its own colour where it faces the eye. */
 static double shade_of(const render_lens *lens, const double normal[3], double opacity) {
     double right = 0, up = 0, ahead = 0;
     for (int k = 0; k < 3; k++) {
@@ -104,7 +104,7 @@ static double shade_of(const render_lens *lens, const double normal[3], double o
     if (opacity < 1) return 0.8 + 0.2 * fmin(1, fabs(ahead));
     double towards = ahead > 0 ? -1 : 1;
     double key = 0.5 + 0.5 * towards * (-0.43 * right + 0.62 * up - 0.656 * ahead);
-    return 0.4 + 0.6 * fmin(1, key);
+    return 0.4 + 0.6 * fmin(1, key / (0.5 + 0.5 * 0.656));
 }
 
 static void add_face(render_strokes *st, const render_walls *w, size_t face,

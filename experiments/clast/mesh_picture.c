@@ -36,7 +36,7 @@ static render_walls walls_of(const mesh_surface *s) {
                           .face_count = s->triangle_count,
                           .corners = 3,
                           .index = index,
-                          .colour = {178, 188, 200},
+                          .colour = {168, 178, 190},
                           .opacity = 1,
                           .edge_px = 1.3,
                           .edge_colour = {48, 54, 64}};

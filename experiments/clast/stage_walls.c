@@ -133,7 +133,7 @@ static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clas
                                           .face_count = m->triangle_count,
                                           .corners = 3,
                                           .index = m->triangle,
-                                          .colour = {172, 182, 196},
+                                          .colour = {162, 172, 186},
                                           .opacity = 1,
                                           .edge_px = 1.2,
                                           .edge_colour = {55, 62, 72}};
