@@ -18,6 +18,7 @@ static const char HELP[] =
     "  --size WxH        pixels\n"
     "  --colour WHICH    speed, speed-bands, initial-height or body\n"
     "  --map WHICH       viridis or cividis\n"
+    "  --mark ID         draws this body in black; may come several times\n"
     "  --speed-max V     top of the speed scale, m/s (default: the fastest of each frame)\n"
     "  --backend WHICH   auto, osmesa or egl\n"
     "  --animation FILE  also an .mp4 of the pictures (needs ffmpeg)\n"
@@ -30,6 +31,8 @@ typedef struct arguments {
     int preset, colour, map, backend; /* -1: as the scene says */
     double speed_max, fps;
     size_t from, to, step;
+    option_list mark;
+    uint32_t marked[OPTION_LIST_MAX];
 } arguments;
 
 static bool usage(const char *what, const char *value) {
@@ -49,6 +52,7 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--size", OPTION_TEXT, &a->size, NULL},
         {"--colour", OPTION_CHOICE, &a->colour, COLOURS},
         {"--map", OPTION_CHOICE, &a->map, MAPS},
+        {"--mark", OPTION_LIST, &a->mark, NULL},
         {"--speed-max", OPTION_NUMBER, &a->speed_max, NULL},
         {"--backend", OPTION_CHOICE, &a->backend, BACKENDS},
         {"--animation", OPTION_TEXT, &a->animation, NULL},
@@ -83,6 +87,17 @@ static bool read_range(arguments *a, size_t count) {
     return a->from < count || usage("--frames: the run has not so many frames: ", a->frames);
 }
 
+static bool read_marks(arguments *a) {
+    for (int i = 0; i < a->mark.count; i++) {
+        char *end;
+        unsigned long id = strtoul(a->mark.items[i], &end, 10);
+        if (end == a->mark.items[i] || *end || id > UINT32_MAX)
+            return usage("--mark: expected the id of a body, found ", a->mark.items[i]);
+        a->marked[i] = (uint32_t)id;
+    }
+    return true;
+}
+
 static bool read_size(const arguments *a, picture_options *o) {
     if (!a->size) return true;
     char *end;
@@ -109,7 +124,9 @@ static picture_options options_of(const arguments *a, const view *v) {
                              .map = a->map >= 0 ? (render_map)a->map
                                     : cividis   ? RENDER_CIVIDIS
                                                 : RENDER_VIRIDIS,
-                             .speed_max = a->speed_max > 0 ? a->speed_max : v->speed_max};
+                             .speed_max = a->speed_max > 0 ? a->speed_max : v->speed_max,
+                             .marked = a->marked,
+                             .marked_count = a->mark.count};
 }
 
 static bool draw_all(const arguments *a, painter *p, render_encoder *encoder) {
@@ -162,6 +179,7 @@ static int render_run(arguments *a, results *r) {
         fprintf(stderr, "clast render: %s: the run has no frames\n", a->run);
         return CLAST_EXIT_FILE;
     }
+    if (!read_marks(a)) return CLAST_EXIT_USAGE;
     picture_options o = options_of(a, &results_stage(r)->view);
     if (!read_range(a, results_frames(r)) || !read_size(a, &o)) return CLAST_EXIT_USAGE;
     int failure = folder_make(a->out);

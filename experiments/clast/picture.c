@@ -183,6 +183,13 @@ static void colour_by_height(painter *p, const frame *f, double *value) {
     render_colour_stripes(value, f->bodies, p->height_low, p->height_high, STRIPES, p->body_colour);
 }
 
+/* Bodies to be followed by eye. */
+static void colour_marked(painter *p, const frame *f) {
+    for (int k = 0; k < p->options.marked_count; k++)
+        for (size_t i = 0; i < f->bodies; i++)
+            if (f->id[i] == p->options.marked[k]) p->body_colour[i] = (render_rgb){0, 0, 0};
+}
+
 /* Colours the bodies; returns the top of the speed scale. */
 static double colour_bodies(painter *p, const frame *f) {
     double *value = grown(NULL, f->bodies, sizeof *value);
@@ -204,6 +211,7 @@ static double colour_bodies(painter *p, const frame *f) {
         render_colour_bodies(id, f->bodies, p->body_colour);
         break;
     }
+    colour_marked(p, f);
     free(value), free(id);
     return fastest;
 }

@@ -12,7 +12,9 @@ typedef struct picture_options {
     int width, height;
     colour_by colour;
     render_map map;
-    double speed_max; /* m/s; 0 takes the fastest of each frame */
+    double speed_max;       /* m/s; 0 takes the fastest of each frame */
+    const uint32_t *marked; /* ids of bodies drawn in black */
+    int marked_count;
 } picture_options;
 
 typedef struct painter painter;
