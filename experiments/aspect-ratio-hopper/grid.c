@@ -64,19 +64,31 @@ cells cells_of(const frame *f, const aspect_case *c) {
     return g;
 }
 
-double surface_of(const frame *f, const aspect_case *c) {
-    enum { COLUMNS = 100 };
-    double top[COLUMNS] = {0}, sum = 0;
-    for (size_t i = 0; i < f->spheres; i++) {
-        double x = (f->centre[3 * i] + c->half_width) / (2 * c->half_width) * COLUMNS;
-        double half = f->radius[i] / (2 * c->half_width) * COLUMNS;
-        for (int k = (int)ceil(x - half - 0.5); k + 0.5 <= x + half; k++) {
-            if (k < 0 || k >= COLUMNS) continue;
-            double dx = (k + 0.5 - x) / half;
-            double high = f->centre[3 * i + 2] + f->radius[i] * sqrt(fmax(0, 1 - dx * dx));
-            if (high > top[k]) top[k] = high;
+/* Lines stand upright, LINES across the hopper, in three dimensions in either direction. */
+enum { LINES = 100 };
+
+/* Raises the surface to a sphere at x, y, z (in distances of lines, from the corner). */
+static void raise_to(double *top, int rows, const double at[3], double radius) {
+    for (int j = (int)ceil(at[1] - radius - 0.5); j + 0.5 <= at[1] + radius; j++)
+        for (int k = (int)ceil(at[0] - radius - 0.5); k + 0.5 <= at[0] + radius; k++) {
+            if (k < 0 || k >= LINES || j < 0 || j >= rows) continue;
+            double dx = k + 0.5 - at[0], dy = rows > 1 ? j + 0.5 - at[1] : 0;
+            double rise2 = radius * radius - dx * dx - dy * dy;
+            if (rise2 >= 0) top[j * LINES + k] = fmax(top[j * LINES + k], at[2] + sqrt(rise2));
         }
+}
+
+double surface_of(const frame *f, const aspect_case *c) {
+    static double top[LINES * LINES];
+    int rows = c->in_space ? LINES : 1;
+    double line = 2 * c->half_width / LINES, sum = 0;
+    memset(top, 0, sizeof top);
+    for (size_t i = 0; i < f->spheres; i++) {
+        const double *p = &f->centre[3 * i];
+        double y = c->in_space ? (p[1] + c->half_width) / line : 0.5;
+        const double at[3] = {(p[0] + c->half_width) / line, y, p[2] / line};
+        raise_to(top, rows, at, f->radius[i] / line);
     }
-    for (int k = 0; k < COLUMNS; k++) sum += top[k];
-    return sum / COLUMNS;
+    for (int i = 0; i < rows * LINES; i++) sum += top[i];
+    return sum / (rows * LINES) * line;
 }

@@ -11,7 +11,7 @@
 
 enum { TOP = 84, BOTTOM = 64, GAP = 16, RIGHT = 170, HOPPER_LINES = 5 };
 
-static const render_rgb WALL = {40, 40, 40}, STONE = {222, 222, 226}, CHAIN = {178, 24, 43};
+static const render_rgb STONE = {222, 222, 226}, CHAIN = {178, 24, 43};
 
 struct studio {
     sheet sheet;
@@ -148,7 +148,8 @@ static render_lines hopper_lines(const studio *o, double from[3 * HOPPER_LINES],
                                         {slot, 0, h, 0},
                                         {-h, ground, h, ground}};
     static const double THICK[HOPPER_LINES] = {2, 2, 4, 4, 2};
-    static const render_rgb INK[HOPPER_LINES] = {WALL, WALL, WALL, WALL, WALL};
+    static const render_rgb INK[HOPPER_LINES] = {
+        {40, 40, 40}, {40, 40, 40}, {40, 40, 40}, {40, 40, 40}, {40, 40, 40}};
     for (int k = 0; k < HOPPER_LINES; k++)
         for (int i = 0; i < 2; i++) {
             double *end = i ? to : from;
