@@ -125,6 +125,13 @@ static void make_room(wall_surfaces *w, const stage *s) {
     CLAST_ASSERT(w->walls && w->vertices && w->indices && w->mesh_vertices);
 }
 
+/* Quiet tints, by part: which bars move together can be seen. */
+static render_rgb tint_of(int part) {
+    static const render_rgb TINTS[] = {
+        {162, 172, 186}, {205, 178, 142}, {158, 184, 164}, {184, 166, 194}};
+    return TINTS[(size_t)part % (sizeof TINTS / sizeof *TINTS)];
+}
+
 static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clast_vec3 offset) {
     const double by[3] = {offset.x, offset.y, offset.z};
     for (size_t i = 0; i < 3 * m->vertex_count; i++) vertex[i] = m->vertex[i] + by[i % 3];
@@ -133,7 +140,7 @@ static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clas
                                           .face_count = m->triangle_count,
                                           .corners = 3,
                                           .index = m->triangle,
-                                          .colour = {162, 172, 186},
+                                          .colour = tint_of(m->part),
                                           .opacity = 1,
                                           .edge_px = 1.2,
                                           .edge_colour = {55, 62, 72}};
@@ -157,7 +164,8 @@ void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const doubl
     for (size_t i = 0; i < s->wall_count; i++) {
         const stage_wall *l = &s->walls[i];
         clast_vec3 offset;
-        if (l->kind == CLAST_WALL_PATCH || !stage_wall_offset(l, time, &offset)) continue;
+        if (l->kind == CLAST_WALL_PATCH || !s->view.planes || !stage_wall_offset(l, time, &offset))
+            continue;
         double at[3] = {l->point.x + offset.x, l->point.y + offset.y, l->point.z + offset.z};
         polygon p =
             l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at) : plane_polygon(l, at, low, high);

@@ -27,6 +27,7 @@ static const field FIELDS[] = {
     {"box_max", FIELD_VECTOR, offsetof(view, box_max)},
     {"perspective", FIELD_BOOL, offsetof(view, perspective)},
     {"walls", FIELD_BOOL, offsetof(view, walls)},
+    {"planes", FIELD_BOOL, offsetof(view, planes)},
     {"frames_per_second", FIELD_DOUBLE, offsetof(view, frames_per_second)},
 };
 enum { FIELD_COUNT = sizeof FIELDS / sizeof *FIELDS };
@@ -91,10 +92,12 @@ static void read_view(h5_file *f, stage *s) {
     s->map = h5_text_attribute(f, "/view", "map");
     s->view.preset = s->preset;
     s->view.map = s->map;
+    s->view.planes = true; /* what runs of earlier versions do not say */
     s->view.colour = (colour_by)h5_u64_attribute(f, "/view", "colour");
     for (int i = 0; i < FIELD_COUNT; i++) {
         double numbers[3] = {0};
         path_of(path, FIELDS[i].name);
+        if (FIELDS[i].offset == offsetof(view, planes) && !h5_has(f, path)) continue;
         h5_read(f, path, H5_F64, FIELDS[i].kind == FIELD_VECTOR ? 3 : 1, numbers);
         field_store(&FIELDS[i], &s->view, numbers);
     }

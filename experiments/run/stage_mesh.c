@@ -6,8 +6,8 @@
 #include "engine/check.h"
 
 /* All meshes one behind the other, and a row of whole numbers for each. */
-enum { ROW = 3 };
-static const char ROW_TEXT[] = "first wall, vertices, triangles";
+enum { ROW = 4 };
+static const char ROW_TEXT[] = "first wall, vertices, triangles, part";
 
 static void *room(size_t count, size_t size) {
     void *p = calloc(count + 1, size);
@@ -25,6 +25,7 @@ void stage_meshes_write(h5_file *f, const scene *s) {
         rows[ROW * i] = m->wall;
         rows[ROW * i + 1] = (int32_t)m->vertex_count;
         rows[ROW * i + 2] = (int32_t)m->triangle_count;
+        rows[ROW * i + 3] = clast_world_wall_part(s->world, m->wall);
         vertices += m->vertex_count, triangles += m->triangle_count;
     }
     double *vertex = room(3 * vertices, sizeof *vertex), *v = vertex;
@@ -50,9 +51,12 @@ typedef struct source {
 
 /* False where a row asks for more than there is, or a triangle for a vertex of another mesh. */
 static bool take(source *from, const int32_t row[ROW], size_t walls, stage_mesh *m) {
-    if (row[0] < 0 || (size_t)row[0] >= walls || row[1] < 0 || row[2] < 0) return false;
-    *m = (stage_mesh){
-        .wall = (size_t)row[0], .vertex_count = (size_t)row[1], .triangle_count = (size_t)row[2]};
+    if (row[0] < 0 || (size_t)row[0] >= walls || row[1] < 0 || row[2] < 0 || row[3] < 0)
+        return false;
+    *m = (stage_mesh){.wall = (size_t)row[0],
+                      .part = row[3],
+                      .vertex_count = (size_t)row[1],
+                      .triangle_count = (size_t)row[2]};
     if (m->vertex_count > from->vertices - from->vertices_taken ||
         m->triangle_count > from->triangles - from->triangles_taken)
         return false;

@@ -7,6 +7,7 @@
 
 typedef struct stage_mesh {
     size_t wall; /* any wall of the stage that moves as it does */
+    int part;    /* index in the world */
     size_t vertex_count, triangle_count;
     double *vertex; /* m, 3 each, at t = 0 */
     uint32_t *triangle;

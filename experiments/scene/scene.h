@@ -49,7 +49,8 @@ typedef struct view {
     clast_vec3 up;
     clast_vec3 box_min, box_max; /* m, what must be in the picture; equal corners = the domain */
     bool perspective;
-    bool walls;               /* draw walls, translucent */
+    bool walls;               /* draw walls: planes and plates translucent, meshes opaque */
+    bool planes;              /* planes and plates among them */
     double frames_per_second; /* of the animation */
 } view;
 

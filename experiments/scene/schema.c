@@ -619,7 +619,9 @@ static const scene_key VIEW_KEYS[] = {
     {"projection", KEY_CHOICE, FIELD(projection), .choices = PROJECTIONS,
      .fallback = "orthographic", .meaning = "parallel, or from a point"},
     {"walls", KEY_SWITCH, FIELD(view.walls), .fallback = "true",
-     .meaning = "draws walls, translucent"},
+     .meaning = "draws walls: planes and plates translucent, triangles opaque and tinted by part"},
+    {"planes", KEY_SWITCH, FIELD(view.planes), .fallback = "true",
+     .meaning = "draws planes and plates among them"},
     {"fps", KEY_NUMBER, UNIT_RATE, FIELD(view.frames_per_second), ABOVE(0), .fallback = "25",
      .meaning = "frames per second of the animation"},
 };

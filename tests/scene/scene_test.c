@@ -75,9 +75,9 @@ static void note(key_set *set, const scene_key *key) {
 /* Filling solids and meshes with spheres takes a while: tests/shapes/scene_test.c does it once.
  * Walls of triangles are in walls_test.c. */
 static bool is_tested_elsewhere(const scene_key *key) {
-    static const char *const KEYS[] = {"solid", "profile", "mesh",     "unit", "fill", "mass_from",
-                                       "bar",   "tube",    "bend",     "axes", "weld", "scale",
-                                       "at",    "copies",  "rotation"};
+    static const char *const KEYS[] = {"solid",     "profile", "mesh", "unit",   "fill",
+                                       "mass_from", "bar",     "tube", "bend",   "axes",
+                                       "weld",      "scale",   "at",   "copies", "rotation"};
     for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; i++)
         if (!strcmp(key->name, KEYS[i])) return true;
     return false;
@@ -467,7 +467,7 @@ static void output_and_view_are_read(void **state) {
     same(v->up, 0, 0.1, 1);
     same(v->box_min, -0.08, -0.01, 0);
     same(v->box_max, 0.08, 0.01, 1.6);
-    assert_true(v->perspective && !v->walls);
+    assert_true(v->perspective && !v->walls && !v->planes);
     SAME(v->frames_per_second, 30);
     scene_free(s);
 }
@@ -492,7 +492,7 @@ static void what_is_left_out_has_its_default(void **state) {
     SAME(s->output.series_every, 0.01);
     SAME(s->output.checkpoint_every, 0);
     SAME(s->ending.rest_for, 0);
-    assert_true(s->view.width == 1280 && s->view.height == 720 && s->view.walls);
+    assert_true(s->view.width == 1280 && s->view.height == 720 && s->view.walls && s->view.planes);
     assert_false(s->view.perspective);
     assert_string_equal(s->view.preset, "final");
     assert_int_equal(s->measure_count, 0);
