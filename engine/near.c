@@ -239,7 +239,8 @@ void lists_rebuild(clast_world *w) {
     shares_cut(w);
     parallel_run(w->threads, rebuild_share, w);
     take_histories(w);
-    w->way_reach = w->way_contacts = 0;
+    way_restart(w, true);
+    way_remember(w);
     w->steps_reach = w->steps_contacts = w->step;
     w->stale = false;
     w->counters.rebuilds++;
@@ -255,7 +256,8 @@ void lists_refresh(clast_world *w) {
     double r = w->smallest_radius, most = w->skin < 0.1 * r ? w->skin : 0.1 * r;
     w->margin = tuned(w->margin, w->step - w->steps_contacts, 16, 60, 0.001 * r, most);
     parallel_run(w->threads, refresh_thread, w);
-    w->way_contacts = 0;
+    way_restart(w, false);
+    way_remember(w);
     w->steps_contacts = w->step;
     w->counters.refreshes++;
 }

@@ -164,12 +164,9 @@ clast_status world_rebuild(clast_world *w) {
 }
 
 static clast_status refresh_neighbours(clast_world *w) {
-    double way = w->found.way > w->wall_way ? w->found.way : w->wall_way;
-    w->way_reach += way;
-    w->way_contacts += way;
-    bool far = !(2 * w->way_reach < w->skin);
-    if (w->stale || far || w->found.outside) return world_rebuild(w);
-    if (!(2 * w->way_contacts < w->margin)) lists_refresh(w);
+    way_verdict old = way_judge(w);
+    if (w->stale || old.reach || w->found.outside) return world_rebuild(w);
+    if (old.contacts) lists_refresh(w);
     return CLAST_OK;
 }
 

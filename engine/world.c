@@ -114,7 +114,7 @@ void clast_world_free(clast_world *w) {
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);
     free(w->view.wx), free(w->view.wy), free(w->view.wz);
     free(w->view.sx), free(w->view.sy), free(w->view.sz), free(w->view.radius), free(w->view.body);
-    free(w->cells.cell_first);
+    free(w->cells.cell_first), free(w->way.places);
     free(w);
 }
 

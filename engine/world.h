@@ -87,6 +87,23 @@ typedef struct row_store {
     uint32_t *first;        /* per body and one more: its first sphere; worlds of clumps alone */
 } row_store;
 
+/* Where a sphere was when the lists were made, m; kernel frame. */
+typedef struct place_row {
+    float reach[3], contacts[3];
+} kept_place;
+
+typedef struct way_bound {
+    double bound; /* m: half of what two things can have come nearer since the list was made */
+    double walls; /* m: no wall has moved farther */
+} way_bound;
+
+typedef struct way_store {
+    way_bound reach, contacts;
+    kept_place *places; /* per sphere */
+    size_t capacity;
+    bool knows_reach, knows_contacts; /* the places are of these lists */
+} way_store;
+
 /* Quanta of the loads. A contact's force is at most limit; the sums wrap beyond four of them. */
 typedef struct load_scale {
     double force, torque; /* quanta per N, per N m: powers of two */
@@ -195,7 +212,7 @@ enum { HISTORY_SPRING = 2, HISTORY_PLASTIC = 5, HISTORY_COLUMNS = 6 };
  * precision, with room for a whole batch behind the last. */
 typedef struct contact_list {
     size_t count, capacity;
-    int32_t *a, *b; /* spheres, a < b; b is a wall in a list of walls */
+    int32_t *a, *b;                /* spheres, a < b; b is a wall in a list of walls */
     void *column[HISTORY_COLUMNS]; /* the last is NULL where there is none */
 } contact_list;
 
@@ -268,10 +285,11 @@ typedef struct share {
     group_item *items;        /* scratch: contacts of one body */
     void *batches;            /* scratch: shared_batch, for the contacts of one body */
     size_t item_capacity;
-    load_row *overhang;  /* of bodies from body_end on that this share's contacts load */
+    load_row *overhang; /* of bodies from body_end on that this share's contacts load */
     size_t overhang_count, overhang_capacity;
     contact_tally contact_tally;
     body_tally body_tally;
+    double way_reach[2], way_contacts[2]; /* m, the two longest, measured by way.c */
     exact_sum *part_power;                /* W, per part */
     contact_report *report, *wall_report; /* when asked for, per contact */
 } share;
@@ -388,9 +406,9 @@ struct clast_world {
     body_kernel *body_kernel;
     const char *isa_name;
     double smallest_radius, largest_bound;
-    double skin, margin;                  /* m, of the reach list and of the contact list */
-    double wall_way;                      /* m, that a part has moved in this step */
-    double way_reach, way_contacts;       /* m, that something has moved since they were made */
+    double skin, margin; /* m, of the reach list and of the contact list */
+    double wall_way;     /* m, that a part has moved in this step */
+    way_store way;
     uint64_t steps_reach, steps_contacts; /* step when they were made */
     bool stale;                           /* the reach list is */
     double overlap_now; /* of the smaller radius, largest at the last evaluation */
@@ -578,6 +596,15 @@ stored_energy contacts_stored_energy(const clast_world *w);
 
 /* step.c */
 clast_status world_rebuild(clast_world *w);
+
+/* way.c */
+typedef struct way_verdict {
+    bool reach, contacts; /* these lists are stale */
+} way_verdict;
+
+way_verdict way_judge(clast_world *w);
+void way_restart(clast_world *w, bool reach);
+void way_remember(clast_world *w);
 
 /* scheme_columns.c, scheme_step.c: schemes beside the leapfrog */
 void integrator_make(clast_world *w);
