@@ -127,6 +127,7 @@ typedef struct bed_facts {
 
 typedef struct flow_facts {
     double delay, first;                 /* s: DELAY_SHARE out, first particle out */
+    double meets;                        /* s, where the line of the linear part meets zero */
     linear_window linear;                /* percent of the particles per s */
     double linear_share;                 /* of what flows out */
     double rate, rate_kg;                /* percent/s, kg/s */
@@ -156,6 +157,7 @@ extern const double SHEAR_AT[SHEAR_TIMES]; /* s; the middle one is SHEAR_TIME */
 
 typedef struct aspect_case {
     int shape, setting, variant, replicate;
+    int wave;      /* of runs side by side */
     bool in_space; /* three dimensions */
     chain chain;
     double half_width, chamber; /* m */
@@ -171,7 +173,7 @@ typedef struct aspect_study {
     char root[600], data[640], frames[640];
     job *beds, *rests, *flows;
     aspect_case cases[CASES_MAX]; /* one per bed and flow */
-    int count;
+    int count, waves;
 } aspect_study;
 
 /* plan.c: beds, which then come to rest, and, as the partitions of the side walls hang on their

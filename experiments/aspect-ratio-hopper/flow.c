@@ -59,6 +59,8 @@ void discharge_measure(aspect_case *c, const results *r) {
     f->delay = begun < n ? t[begun] : NAN;
     f->first = first < n ? t[first] : NAN;
     f->linear = linear_part(t, out, n, LINEAR_R2);
+    fitted_line line = line_fit(t + f->linear.first, out + f->linear.first, f->linear.count);
+    f->meets = -line.intercept / line.slope;
     double part =
         f->linear.count ? out[f->linear.first + f->linear.count - 1] - out[f->linear.first] : 0;
     f->linear_share = part / out[n - 1];

@@ -119,6 +119,7 @@ static void plan_rest(aspect_study *s, aspect_case *c) {
 static void plan_case(aspect_study *s, aspect_case c) {
     CLAST_ASSERT(s->count < CASES_MAX);
     c.chain = chain_of(c.shape);
+    c.wave = s->waves;
     c.half_width = c.in_space ? 0.2 : s->size->half_width;
     c.chamber = c.in_space ? 1.5 : s->size->chamber;
     c.count = c.in_space ? 20000 : s->size->count;
@@ -128,29 +129,42 @@ static void plan_case(aspect_study *s, aspect_case c) {
     s->count++;
 }
 
-/* The dearest runs stand first: the last ones then end together. */
+/* Cases of a wave are run side by side, one wave after the other: a study that is cut off has whole
+ * cases. The dearest of a wave stands first: the last ones then end together. */
+static void plan_set(aspect_study *s, int setting, int replicate, int first, int count) {
+    for (int shape = first + count - 1; shape >= first; shape--)
+        plan_case(s, (aspect_case){.shape = shape, .setting = setting, .replicate = replicate});
+    s->waves++;
+}
+
+static void plan_variants(aspect_study *s, int replicate) {
+    for (int v = 1; v < VARIANT_COUNT; v++)
+        plan_case(s, (aspect_case){.shape = VARIANTS[v].shape,
+                                   .setting = CHEAP,
+                                   .variant = v,
+                                   .replicate = replicate});
+    s->waves++;
+}
+
+static void plan_in_space(aspect_study *s, int replicate) {
+    for (int shape = 1; shape >= 0; shape--)
+        plan_case(s,
+                  (aspect_case){
+                      .shape = shape, .setting = CHEAP, .replicate = replicate, .in_space = true});
+    s->waves++;
+}
+
 void aspect_plan(aspect_study *s) {
     const aspect_size *z = s->size;
     s->beds = calloc(CASES_MAX, sizeof *s->beds);
     s->rests = calloc(CASES_MAX, sizeof *s->rests);
     s->flows = calloc(CASES_MAX, sizeof *s->flows);
     if (!s->beds || !s->rests || !s->flows) abort();
-    for (int setting = 0; setting < SETTINGS; setting++)
-        for (int k = 0; k < z->replicates[setting]; k++)
-            for (int shape = MAIN_SHAPES - 1; shape >= 0; shape--)
-                plan_case(s, (aspect_case){.shape = shape, .setting = setting, .replicate = k});
-    for (int k = 0; k < z->variants; k++)
-        for (int v = 1; v < VARIANT_COUNT; v++)
-            plan_case(
-                s, (aspect_case){
-                       .shape = VARIANTS[v].shape, .setting = CHEAP, .variant = v, .replicate = k});
-    for (int k = 0; k < z->further; k++)
-        for (int shape = MAIN_SHAPES; shape < SHAPES; shape++)
-            plan_case(s, (aspect_case){.shape = shape, .setting = CHEAP, .replicate = k});
-    for (int k = 0; k < z->in_space; k++)
-        for (int shape = 0; shape < 2; shape++)
-            plan_case(s, (aspect_case){
-                             .shape = shape, .setting = CHEAP, .replicate = k, .in_space = true});
+    for (int k = 0; k < z->replicates[CHEAP]; k++) plan_set(s, CHEAP, k, 0, MAIN_SHAPES);
+    for (int k = 0; k < z->replicates[THESIS]; k++) plan_set(s, THESIS, k, 0, MAIN_SHAPES);
+    for (int k = 0; k < z->variants; k++) plan_variants(s, k);
+    for (int k = 0; k < z->further; k++) plan_set(s, CHEAP, k, MAIN_SHAPES, SHAPES - MAIN_SHAPES);
+    for (int k = 0; k < z->in_space; k++) plan_in_space(s, k);
 }
 
 static void plan_flow(aspect_study *s, int which) {
@@ -188,24 +202,31 @@ static int run_marked(aspect_study *s, job *jobs, bool *marked, const char *what
     return failed;
 }
 
-int aspect_run_all(aspect_study *s) {
+static int run_wave(aspect_study *s, int wave) {
     bool here[CASES_MAX], layer[CASES_MAX];
-    for (int i = 0; i < s->count; i++) here[i] = true;
+    for (int i = 0; i < s->count; i++) here[i] = s->cases[i].wave == wave;
     int failed = run_marked(s, s->beds, here, "consolidation");
     for (int i = 0; i < s->count; i++) layer[i] = here[i] && !s->cases[i].in_space;
     failed += run_marked(s, s->rests, layer, "rest");
     for (int i = 0; i < s->count; i++) {
-        s->cases[i].has_bed = here[i] && (layer[i] || s->cases[i].in_space);
-        here[i] = s->cases[i].has_bed;
+        here[i] = here[i] && (layer[i] || s->cases[i].in_space);
         if (!here[i]) continue;
+        s->cases[i].has_bed = true;
         bed_measure(&s->cases[i]);
         plan_flow(s, i);
     }
     failed += run_marked(s, s->flows, here, "discharge");
     for (int i = 0; i < s->count; i++) {
-        s->cases[i].ran = here[i];
-        if (here[i]) flow_measure(&s->cases[i]);
+        if (!here[i]) continue;
+        s->cases[i].ran = true;
+        flow_measure(&s->cases[i]);
     }
+    return failed;
+}
+
+int aspect_run_all(aspect_study *s) {
+    int failed = 0;
+    for (int wave = 0; wave < s->waves; wave++) failed += run_wave(s, wave);
     return failed;
 }
 

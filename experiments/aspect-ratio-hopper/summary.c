@@ -28,6 +28,7 @@ FACT(force_rest, 100 * c->bed.force_rest)
 FACT(single, c->bed.subcontacts[0])
 FACT(delay, c->flow.delay)
 FACT(first, c->flow.first)
+FACT(meets, c->flow.meets)
 FACT(linear_share, c->flow.linear_share)
 FACT(rate, c->flow.rate)
 FACT(rate_kg, c->flow.rate_kg)
@@ -46,6 +47,7 @@ FACT(mean_left, c->flow.ratio_mean[0])
 FACT(mean_centre, c->flow.ratio_mean[1])
 FACT(mean_right, c->flow.ratio_mean[2])
 FACT(angle, c->flow.angle[SHEAR_TIMES / 2])
+FACT(steepness, 90 - fabs(90 - c->flow.angle[SHEAR_TIMES / 2]))
 FACT(angle_first, c->flow.angle[0])
 FACT(angle_last, c->flow.angle[SHEAR_TIMES - 1])
 FACT(angle_70, c->flow.angle_70)
@@ -75,6 +77,7 @@ const named_fact FACTS[] = {
     {"pairs that touch at one point", "", single},
     {"start-up delay", "s", delay},
     {"first particle out", "s", first},
+    {"delay by the linear part", "s", meets},
     {"linear part", "", linear_share},
     {"rate", "%/s", rate},
     {"rate in mass", "kg/s", rate_kg},
@@ -93,6 +96,7 @@ const named_fact FACTS[] = {
     {"energy ratio centre by particles", "log10", mean_centre},
     {"energy ratio right by particles", "log10", mean_right},
     {"shear angle", "deg", angle},
+    {"steepness of the shear band", "deg", steepness},
     {"shear angle at 0.1 s", "deg", angle_first},
     {"shear angle at 0.4 s", "deg", angle_last},
     {"shear angle at 70 %", "deg", angle_70},
