@@ -17,20 +17,11 @@ static published_table *read_table(void) {
     return t;
 }
 
-static const published *need(const published_table *t, const char *quantity) {
-    const published *p = published_find(t, quantity);
-    if (!p) {
-        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
-        exit(4);
-    }
-    return p;
-}
-
 /* "rate at 6.5 cm" and the like. */
 static const published *need_at(const published_table *t, const char *what, int orifice) {
     char name[80];
     snprintf(name, sizeof name, "%s at %g cm", what, ORIFICE_CM[orifice]);
-    return need(t, name);
+    return published_need(t, name);
 }
 
 hopper_published hopper_read_published(void) {
@@ -109,19 +100,21 @@ int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const hopper
     published_table *t = read_table();
     verdict_table *v = verdict_new("button-hopper");
     bool frictional = s->size->replicates[FRICTIONAL] > 0;
-    verdict_published(v, need(t, "mean |error| of the rates"), m->error_percent, true);
-    verdict_published(v, need(t, "solid fraction at rest frictionless fill"), m->rest[FRICTIONLESS],
+    verdict_published(v, published_need(t, "mean |error| of the rates"), m->error_percent, true);
+    verdict_published(v, published_need(t, "solid fraction at rest frictionless fill"),
+                      m->rest[FRICTIONLESS], true);
+    verdict_published(v, published_need(t, "solid fraction at rest frictional fill"),
+                      m->rest[FRICTIONAL], frictional);
+    verdict_published(v, published_need(t, "solid fraction at rest placed one by one"), nothing(),
+                      false);
+    verdict_published(v, published_need(t, "C mean of the orifices"), m->c_all, true);
+    verdict_published(v, published_need(t, "C equal to the experiment"), m->c_all, m->c_all.n > 1);
+    verdict_published(v, published_need(t, "kd"),
+                      (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n}, true);
+    verdict_published(v, published_need(t, "k"),
+                      (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n}, true);
+    verdict_published(v, published_need(t, "k from D >= 7.5 cm"), interval_exact(m->fit_wide.k),
                       true);
-    verdict_published(v, need(t, "solid fraction at rest frictional fill"), m->rest[FRICTIONAL],
-                      frictional);
-    verdict_published(v, need(t, "solid fraction at rest placed one by one"), nothing(), false);
-    verdict_published(v, need(t, "C mean of the orifices"), m->c_all, true);
-    verdict_published(v, need(t, "C equal to the experiment"), m->c_all, m->c_all.n > 1);
-    verdict_published(v, need(t, "kd"), (interval){m->fit.kd, NAN, m->fit.kd_half, m->fit.fit.n},
-                      true);
-    verdict_published(v, need(t, "k"), (interval){m->fit.k, NAN, m->fit.k_half, m->fit.fit.n},
-                      true);
-    verdict_published(v, need(t, "k from D >= 7.5 cm"), interval_exact(m->fit_wide.k), true);
     add_orifices(v, t, m, s);
     add_profiles(v, t, m);
     print_blocked(m);

@@ -43,9 +43,20 @@ hopper hopper_usual(int rows) {
     return (hopper){.orifice = 0.095, .slope = 0.5, .funnel = 0.5, .rows = rows};
 }
 
+double hopper_latest(const hopper *h) {
+    return h->flat ? FLAT_LATEST : RESIDENCE_LATEST;
+}
+
 void hopper_walls(const hopper *h, hopper_wall walls[HOPPER_WALLS]) {
     double lip = 0.5 * h->orifice, side = lip + h->slope * h->funnel, tall = 4;
     double steep = sqrt(1 + h->slope * h->slope), slant = h->funnel * steep;
+    if (h->flat) {
+        walls[0] = (hopper_wall){"floor_left", 0, 1, -side, 0, side - lip};
+        walls[1] = (hopper_wall){"floor_right", 0, 1, lip, 0, side - lip};
+        walls[2] = (hopper_wall){"left", 1, 0, -side, 0, tall};
+        walls[3] = (hopper_wall){"right", -1, 0, side, 0, tall};
+        return;
+    }
     walls[0] = (hopper_wall){"funnel_left", 1 / steep, h->slope / steep, -lip, 0, slant};
     walls[1] = (hopper_wall){"funnel_right", -1 / steep, h->slope / steep, lip, 0, slant};
     walls[2] = (hopper_wall){"left", 1, 0, -side, h->funnel, tall};
@@ -77,7 +88,8 @@ static void add_walls(clast_world *w, const hopper *h, int steel) {
     hopper_wall walls[HOPPER_WALLS];
     hopper_walls(h, walls);
     int part = clast_part_add(w, &(clast_part_def){.name = "hopper"});
-    for (int i = 0; i < HOPPER_WALLS; i++) {
+    int first = h->flat && h->solid ? 2 : 0; /* a flat bottom that is closed is the gate alone */
+    for (int i = first; i < HOPPER_WALLS; i++) {
         clast_wall_def def = wall_of(&walls[i], !h->solid, steel);
         if (clast_wall_add(w, part, &def) < 0) stop(clast_world_error(w));
     }
@@ -169,7 +181,7 @@ static void place(bed *b, uint64_t seed, int i, double x, double z) {
 /* COLUMNS side by side, high enough to stand clear of the funnel. */
 static void place_above(const hopper *h, uint64_t seed, bed *b) {
     double half = 0.5 * (COLUMNS - 1) * PITCH;
-    double needs = (half + PITCH - 0.5 * h->orifice) / h->slope;
+    double needs = h->flat ? 0 : (half + PITCH - 0.5 * h->orifice) / h->slope;
     double lowest = fmax(LATTICE_HEIGHT, needs);
     for (int i = 0; i < b->count; i++)
         place(b, seed, i, (i % COLUMNS) * PITCH - half, lowest + (i / COLUMNS) * PITCH);
@@ -177,6 +189,7 @@ static void place_above(const hopper *h, uint64_t seed, bed *b) {
 
 /* As many in each row as the hopper is wide there. */
 static void place_within(const hopper *h, uint64_t seed, bed *b) {
+    CLAST_ASSERT(!h->flat);
     double clear = 0.5 * PITCH * sqrt(1 + h->slope * h->slope);
     double widest = 0.5 * h->orifice + h->slope * h->funnel, z = 0.5 * PITCH;
     for (int i = 0; i < b->count; z += PITCH) {

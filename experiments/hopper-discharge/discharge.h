@@ -15,6 +15,7 @@
 
 #include "engine/clast.h"
 #include "experiments/study/command.h"
+#include "experiments/study/side.h"
 #include "experiments/study/statistics.h"
 
 /* ---- the spheres, S12 Table 3.2 -------------------------------------------------------------- */
@@ -56,6 +57,7 @@ typedef struct hopper {
     double orifice; /* m, between the walls where the spheres leave, at z = 0 */
     double slope;   /* m outwards per m upwards, of the funnel's walls */
     double funnel;  /* m, its height; vertical walls above */
+    bool flat;      /* no funnel: a flat bottom, and side walls as far apart as the funnel's top */
     bool solid;     /* walls are half-spaces, and spheres are gone below the orifice; else plates
                        that end there, and spheres that fall on */
     filling filling;
@@ -64,6 +66,7 @@ typedef struct hopper {
 } hopper;
 
 hopper hopper_usual(int rows);
+double hopper_latest(const hopper *h); /* s, that a discharge is watched for */
 
 typedef struct hopper_wall {
     const char *name;
@@ -157,6 +160,7 @@ extern const char *const FAILURE_NAME[FAILURES];
 #define MANY_THROUGH     0.01 /* of the spheres */
 #define SPAN_PART        0.95 /* of the mass is out when counting and timing end */
 #define RESIDENCE_LATEST 3.0  /* s, by when all are out but a few that bounce alone */
+#define FLAT_LATEST      10.0 /* s, likewise where they have to find the orifice */
 
 /* Plain data: kept on disk as it is. */
 typedef struct flow {
@@ -200,7 +204,7 @@ typedef struct kept_task {
     const void *context;
     /* What makes the result what it is, beside this program. */
     void (*name)(const void *context, int which, char name[NAME_MAX_TEXT]);
-    void (*work)(const void *context, int which, void *result);
+    side_work *work;
 } kept_task;
 
 /* Fills results[0..count): from the disk what an earlier start of the same program has left, the
@@ -210,7 +214,7 @@ void kept_results(const kept_task *task, int count, void *results);
 /* ---- what is run ----------------------------------------------------------------------------- */
 
 enum { LEAPFROG, EXPLICIT, IMPLICIT, METHODS };
-enum { STEPS = 5, SCANS = 12, STATES_MAX = 12, VARIANTS = 9, CRITERIA = 3 };
+enum { STEPS = 5, SCANS = 12, STATES_MAX = 12, VARIANTS = 10, CRITERIA = 3 };
 enum { BY_WALL, BY_STOP, BY_ENERGY };
 
 extern const clast_scheme METHOD_SCHEME[METHODS];

@@ -68,11 +68,17 @@ static void look_at_energy(watch *o) {
 
 /* ---- who is where ---------------------------------------------------------------------------- */
 
+/* A floor ends at the orifice; other walls meet. */
+static bool is_over(const hopper_wall *l, double x) {
+    return l->nx != 0 || (x >= l->px && x <= l->px + l->length);
+}
+
 /* How far a sphere is in a wall, of its radius; 1: its centre is on it, 2: it is wholly behind. */
 double wall_overlap(const hopper_wall wall[HOPPER_WALLS], double x, double z, double radius) {
     double least = INFINITY;
     for (int k = 0; k < HOPPER_WALLS; k++)
-        least = fmin(least, (x - wall[k].px) * wall[k].nx + (z - wall[k].pz) * wall[k].nz);
+        if (is_over(&wall[k], x))
+            least = fmin(least, (x - wall[k].px) * wall[k].nx + (z - wall[k].pz) * wall[k].nz);
     return 1 - least / radius;
 }
 
@@ -93,7 +99,8 @@ static void leave(watch *o, int id, double z) {
 }
 
 static void look_at_sphere(watch *o, int id, double x, double z) {
-    if (z < 0) {
+    const hopper *h = o->plan->hopper;
+    if (z < 0 && (!h->flat || fabs(x) <= 0.5 * h->orifice)) {
         leave(o, id, z);
         return;
     }

@@ -1,25 +1,15 @@
 /* kept.c - results of many calls: kept on disk under their names, worked out side by side. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <errno.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "engine/check.h"
 #include "experiments/hopper-discharge/discharge.h"
 #include "experiments/study/jobs.h"
+#include "experiments/study/side.h"
 
 #define PROGRAM "/proc/self/exe"
-
-/* What the processes share; the results follow. */
-typedef struct shared {
-    _Alignas(64) atomic_int next;
-    atomic_int done;
-} shared;
 
 static _Noreturn void stop(const char *what) {
     fprintf(stderr, "hopper-discharge: %s: %s\n", what, strerror(errno));
@@ -67,64 +57,17 @@ static void keep(const kept_task *task, int which, const void *result) {
     if (!whole || rename(part, path)) stop(part);
 }
 
-/* ---- side by side ---------------------------------------------------------------------------- */
+/* ---- all of them ----------------------------------------------------------------------------- */
 
-static double seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static void progress(const kept_task *task, shared *s, int count, double since) {
-    int done = atomic_fetch_add(&s->done, 1) + 1, every = count / 10 + 1;
-    if (done != count && done % every != 0) return;
-    printf("%s: %d of %d, %.0f s\n", task->what, done, count, seconds() - since);
-    fflush(stdout);
-}
-
-static void work(const kept_task *task, shared *s, char *results, int count, double since) {
-    for (int i = atomic_fetch_add(&s->next, 1); i < count; i = atomic_fetch_add(&s->next, 1)) {
-        char *result = results + (size_t)i * task->size;
-        if (!read_kept(task, i, result)) {
-            task->work(task->context, i, result);
-            keep(task, i, result);
-        }
-        progress(task, s, count, since);
-    }
-}
-
-static void wait_for(int children) {
-    bool well = true;
-    for (int i = 0; i < children; i++) {
-        int status;
-        if (wait(&status) < 0) stop("wait");
-        well &= WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    }
-    if (well) return;
-    fputs("hopper-discharge: a process has died\n", stderr);
-    exit(4);
+static void find_or_work(const void *context, int which, void *result) {
+    const kept_task *task = context;
+    if (read_kept(task, which, result)) return;
+    task->work(task->context, which, result);
+    keep(task, which, result);
 }
 
 void kept_results(const kept_task *task, int count, void *results) {
-    CLAST_ASSERT(task && task->size > 0 && count >= 0);
-    if (count == 0) return;
-    size_t bytes = sizeof(shared) + (size_t)count * task->size;
-    void *memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) stop("mmap");
-    shared *s = memory;
-    char *all = (char *)memory + sizeof *s;
-    int processes = task->processes > 0 ? task->processes : jobs_processes();
-    double since = seconds();
     program_hash();
-    fflush(NULL);
-    for (int i = 0; i < processes; i++) {
-        pid_t child = fork();
-        if (child < 0) stop("fork");
-        if (child > 0) continue;
-        work(task, s, all, count, since);
-        _exit(0);
-    }
-    wait_for(processes);
-    memcpy(results, all, (size_t)count * task->size);
-    munmap(memory, bytes);
+    side_by_side(&(side_task){task->what, task->processes, find_or_work, task, task->size}, count,
+                 results);
 }

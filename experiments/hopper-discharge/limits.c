@@ -70,7 +70,7 @@ static void halve(const void *context, int which, void *result) {
         flow_plan p = {.hopper = &s->variant[l.variant].hopper,
                        .bed = study_bed(s, l.variant, l.state),
                        .world = {.scheme = METHOD_SCHEME[l.method], .step = middle},
-                       .until = RESIDENCE_LATEST};
+                       .until = hopper_latest(&s->variant[l.variant].hopper)};
         flow_run(&p, &f);
         *(has_failed(s, &f, &l) ? &l.fails : &l.holds) = middle;
     }

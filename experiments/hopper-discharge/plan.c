@@ -45,6 +45,7 @@ static int variants_of(const discharge_size *size, hopper_variant *out) {
     take(size, &out[n++], "walls", "half-spaces")->solid = true;
     take(size, &out[n++], "filling", "1500 spheres")->rows = 50;
     take(size, &out[n++], "filling", "loose")->filling = FILL_LOOSE;
+    take(size, &out[n++], "shape", "rectangular, flat bottom")->flat = true;
     CLAST_ASSERT(n == VARIANTS);
     return n;
 }
@@ -184,7 +185,7 @@ static void make_flow(const void *context, int which, void *result) {
     flow_plan p = {.hopper = &s->variant[r->variant].hopper,
                    .bed = study_bed(s, r->variant, r->state),
                    .world = {.scheme = METHOD_SCHEME[r->method], .step = r->step},
-                   .until = RESIDENCE_LATEST};
+                   .until = hopper_latest(&s->variant[r->variant].hopper)};
     flow_run(&p, result);
 }
 

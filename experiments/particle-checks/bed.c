@@ -5,7 +5,7 @@
 #include <time.h>
 
 #include "experiments/particle-checks/checks.h"
-#include "experiments/particle-checks/side.h"
+#include "experiments/study/side.h"
 
 static const double R = 0.01;     /* m, A00 3.10 */
 static const double STEP = 1e-5;  /* s, A00 3.10: the critical one */
@@ -96,13 +96,14 @@ bed bed_run(const bed_case *c, int steps) {
     return found;
 }
 
-static void run_one(int index, const void *context, void *result) {
+static void run_one(const void *context, int index, void *result) {
     *(bed *)result = bed_run(&BED_CASE[BED_CASES - 1 - index], *(const int *)context);
 }
 
 void bed_run_all(int steps, bed *beds) {
     bed turned[BED_CASES]; /* the longest first */
-    side_by_side(BED_CASES, run_one, &steps, turned, sizeof *turned);
+    side_by_side(&(side_task){.work = run_one, .context = &steps, .size = sizeof *turned},
+                 BED_CASES, turned);
     for (int i = 0; i < BED_CASES; i++) {
         beds[i] = turned[BED_CASES - 1 - i];
         checks_hash_add(beds[i].hash);

@@ -6,7 +6,7 @@
 #include <time.h>
 
 #include "experiments/particle-checks/checks.h"
-#include "experiments/particle-checks/side.h"
+#include "experiments/study/side.h"
 #include "experiments/study/statistics.h"
 
 static const double R = PSEUDO_RADIUS, LENGTH = 10 * PSEUDO_RADIUS; /* aspect ratio 5 */
@@ -210,7 +210,7 @@ double pseudo_friction_by_force(const pseudo *p) {
 
 /* ---- over start positions -------------------------------------------------------------------- */
 
-static void run_one(int index, const void *context, void *result) {
+static void run_one(const void *context, int index, void *result) {
     const pseudo_case *cases = context;
     *(pseudo *)result = pseudo_run(&cases[index], NULL, NULL);
 }
@@ -254,7 +254,8 @@ int pseudo_scan(int starts, double densest, const pseudo_case *base, pseudo_rang
         cases[i].q = PSEUDO_Q[dense_first];
         cases[i].start = (double)(i % starts) / starts;
     }
-    side_by_side(qs * starts, run_one, cases, runs, sizeof *runs);
+    side_by_side(&(side_task){.work = run_one, .context = cases, .size = sizeof *runs}, qs * starts,
+                 runs);
     for (int i = 0; i < qs * starts; i++) checks_hash_add(runs[i].hash);
     for (int i = 0; i < qs; i++) {
         const pseudo *of_q = &runs[(qs - 1 - i) * starts];

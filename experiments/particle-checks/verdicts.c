@@ -12,26 +12,18 @@ typedef struct court {
     const checks_size *size;
 } court;
 
-static const published *row_of(const court *c, const char *quantity) {
-    const published *p = published_find(c->published, quantity);
-    if (!p) {
-        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
-        exit(4);
-    }
-    return p;
-}
-
 static void say(const court *c, const char *quantity, double value) {
     verdict_named(c->table, c->published, quantity, value);
 }
 
 /* Of what this size did not run, or what cannot be told, there is no verdict. */
 static void say_if_run(const court *c, const char *quantity, double value) {
-    verdict_published(c->table, row_of(c, quantity), interval_exact(value), isfinite(value));
+    verdict_published(c->table, published_need(c->published, quantity), interval_exact(value),
+                      isfinite(value));
 }
 
 static void report(const court *c, const char *quantity, interval value) {
-    verdict_published(c->table, row_of(c, quantity), value, false);
+    verdict_published(c->table, published_need(c->published, quantity), value, false);
 }
 
 /* ---- A00 3.2 --------------------------------------------------------------------------------- */
@@ -242,7 +234,7 @@ static void judge_density(const court *c, const pseudo_range *r, const pseudo *r
     if (!friction) abort();
     for (int i = 0; i < r->n; i++) friction[i] = runs[i].friction;
     snprintf(name, sizeof name, "pseudo-friction, q = %g", r->q);
-    double printed = row_of(c, name)->thesis;
+    double printed = published_need(c->published, name)->thesis;
     report(c, name, mean_interval(friction, r->n));
     snprintf(name, sizeof name,
              "pseudo-friction, q = %g: published number outside the range of start positions",
@@ -290,7 +282,7 @@ static void judge_pseudo(const court *c) {
     span seven = span_at(ranges, count, 7), button = span_at(ranges, count, 2.31);
     say_if_run(c, "pseudo-friction at 7 degrees off the normal", seven.mean);
     report(c, "pseudo-friction at 2.31 degrees", interval_exact(button.mean));
-    double printed = row_of(c, "pseudo-friction at 2.31 degrees")->thesis;
+    double printed = published_need(c->published, "pseudo-friction at 2.31 degrees")->thesis;
     double off = outside(printed, button.least, button.most);
     say_if_run(c,
                "pseudo-friction at 2.31 degrees: published number outside the range of start "

@@ -12,15 +12,6 @@ typedef struct court {
     verdict_table *table;
 } court;
 
-static const published *need(const court *c, const char *quantity) {
-    const published *p = published_find(c->numbers, quantity);
-    if (!p) {
-        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
-        exit(4);
-    }
-    return p;
-}
-
 static void say(const court *c, const char *quantity, double ours) {
     verdict_named(c->table, c->numbers, quantity, ours);
 }
@@ -28,7 +19,7 @@ static void say(const court *c, const char *quantity, double ours) {
 static void say_of(const court *c, const char *what, int p, double ours, bool have) {
     char name[80];
     snprintf(name, sizeof name, "%s of particle %d", what, p + 1);
-    verdict_published(c->table, need(c, name), interval_exact(ours), have);
+    verdict_published(c->table, published_need(c->numbers, name), interval_exact(ours), have);
 }
 
 /* ---- what needs no run ----------------------------------------------------------------------- */
@@ -78,7 +69,7 @@ static void judge_input(const court *c) {
 static void judge_scores(const court *c, const piston_summary *m, bool have) {
     for (int p = 0; p < PARTICLES; p++)
         say_of(c, "score", p, have ? m->base.percent[p] : (double)NAN, have);
-    verdict_published(c->table, need(c, "mean score"),
+    verdict_published(c->table, published_need(c->numbers, "mean score"),
                       interval_exact(have ? m->base.mean : (double)NAN), have);
 }
 
@@ -89,13 +80,14 @@ static void judge_friction(const court *c, const piston_summary *m) {
         const friction_row *r = &m->friction[i];
         interval ours = {1000 * r->laid_to_rig.mean, 1000 * r->laid_to_rig.sd,
                          1000 * r->laid_to_rig.half, r->laid_to_rig.n};
-        verdict_published(c->table, need(c, name), r->found ? ours : interval_exact(NAN), r->found);
+        verdict_published(c->table, published_need(c->numbers, name),
+                          r->found ? ours : interval_exact(NAN), r->found);
     }
 }
 
 static void judge_step(const court *c, const piston_summary *m) {
     bool have = isfinite(m->step.p);
-    verdict_published(c->table, need(c, "P that the step makes no difference"),
+    verdict_published(c->table, published_need(c->numbers, "P that the step makes no difference"),
                       interval_exact(m->step.p), have);
 }
 

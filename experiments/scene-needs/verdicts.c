@@ -27,9 +27,8 @@ static void judge(const court *c, const char *name, int observable, const char *
     char quantity[200];
     snprintf(quantity, sizeof quantity, "%s: %s %s", name, r->scene->observable[observable].name,
              words);
-    const published *p = published_find(c->published, quantity);
-    if (!p) clast_panic(__FILE__, __LINE__, quantity);
-    verdict_published(c->table, p, needs_difference(r, observable, needs_variant(r, key)), true);
+    verdict_measured(c->table, c->published, quantity,
+                     needs_difference(r, observable, needs_variant(r, key)));
 }
 
 int needs_verdicts(const needs_study *s, const char *path) {

@@ -111,7 +111,7 @@ static void judge_discharge(const court *c) {
         i = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_implicit);
     }
     interval ratio = interval_exact(e && i ? i->evaluations / e->evaluations : (double)NAN);
-    verdict_published(c->table, published_find(c->published, NAME), ratio,
+    verdict_published(c->table, published_need(c->published, NAME), ratio,
                       panel && panel->samples >= STATES_LEAST);
 }
 
@@ -150,7 +150,7 @@ static void judge_buttons(const court *c) {
         for (int q = 0; q < 2; q++) {
             char name[120];
             snprintf(name, sizeof name, "button hopper: %s, %s", QUANTITY[q], SETTING[i]);
-            const published *row = published_find(c->published, name);
+            const published *row = published_need(c->published, name);
             interval x = difference_of(button(c->chart, SETTING[i], QUANTITY[q]));
             verdict_published(c->table, row, x, x.n >= PAIRS_LEAST);
         }

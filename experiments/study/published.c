@@ -230,6 +230,13 @@ const published *published_find(const published_table *t, const char *quantity) 
     return NULL;
 }
 
+const published *published_need(const published_table *t, const char *quantity) {
+    const published *p = published_find(t, quantity);
+    if (p) return p;
+    fprintf(stderr, "published.csv has no row '%s'\n", quantity);
+    exit(4);
+}
+
 double published_target(const published *p) {
     CLAST_ASSERT(p);
     return isnan(p->experiment) ? p->thesis : p->experiment;

@@ -56,6 +56,10 @@ void published_free(published_table *t);
 /* NULL when there is no such quantity. */
 const published *published_find(const published_table *t, const char *quantity);
 
+/* The same where a study cannot do without it: exits with 4, named on stderr, when there is none.
+ */
+const published *published_need(const published_table *t, const char *quantity);
+
 /* What our result is held against: the experiment; where it has none, the thesis's simulation; NAN
  * without both. */
 double published_target(const published *p);

@@ -60,6 +60,7 @@ verdict verdict_of(double target, interval ours, tolerance allowed, bool compara
     double margin = allowed.percent ? fabs(target) * allowed.value / 100 : allowed.value;
     /* 0.37 lies 0.02 from 0.39, whatever binary fractions say */
     double rounding = near ? 1e-12 * (fabs(target) + margin) : 0;
+    double half = isfinite(ours.half) ? ours.half : 0;
     bool met = false;
     switch (allowed.kind) {
     case TOLERANCE_MEAN:
@@ -69,10 +70,10 @@ verdict verdict_of(double target, interval ours, tolerance allowed, bool compara
         met = ours.n > 1 && equivalence_test(ours, interval_exact(target), margin + rounding).equal;
         break;
     case TOLERANCE_AT_MOST:
-        met = ours.mean <= allowed.value;
+        met = ours.mean + half <= allowed.value;
         break;
     case TOLERANCE_AT_LEAST:
-        met = ours.mean >= allowed.value;
+        met = ours.mean - half >= allowed.value;
         break;
     default:
         CLAST_ASSERT(!"a kind of tolerance");
@@ -112,14 +113,14 @@ verdict verdict_published(verdict_table *v, const published *p, interval ours, b
     return add(v, p, ours, comparable);
 }
 
+verdict verdict_measured(verdict_table *v, const published_table *numbers, const char *quantity,
+                         interval ours) {
+    return verdict_published(v, published_need(numbers, quantity), ours, true);
+}
+
 verdict verdict_named(verdict_table *v, const published_table *numbers, const char *quantity,
                       double ours) {
-    const published *p = published_find(numbers, quantity);
-    if (!p) {
-        fprintf(stderr, "published.csv has no row '%s'\n", quantity);
-        exit(4);
-    }
-    return verdict_published(v, p, interval_exact(ours), true);
+    return verdict_measured(v, numbers, quantity, interval_exact(ours));
 }
 
 /* ---- numbers as text ------------------------------------------------------------------------- */

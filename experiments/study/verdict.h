@@ -8,8 +8,9 @@
  *
  * The verdict is on the mean of the replicates, its 95 % interval stands beside it. Where a row
  * says "equal", the data must show equality: an equivalence test with the tolerance as margin, P <
- * 0.05, at least two replicates. A mean that does not exist (all runs blocked) is missed. An
- * explanation changes nothing here. */
+ * 0.05, at least two replicates. "At most" and "at least" are claims too: the whole interval must
+ * lie on that side. One number without a spread is compared as it is. A mean that does not exist
+ * (all runs blocked) is missed. An explanation changes nothing here. */
 #ifndef CLAST_STUDY_VERDICT_H
 #define CLAST_STUDY_VERDICT_H
 
@@ -36,7 +37,11 @@ verdict verdict_add(verdict_table *v, const char *quantity, const char *unit, do
  */
 verdict verdict_published(verdict_table *v, const published *p, interval ours, bool comparable);
 
-/* The same for one exact number and the row of that name; without one, exits with code 4. */
+/* The same for the row of that name; without one, exits with code 4. */
+verdict verdict_measured(verdict_table *v, const published_table *numbers, const char *quantity,
+                         interval ours);
+
+/* The same for one exact number. */
 verdict verdict_named(verdict_table *v, const published_table *numbers, const char *quantity,
                       double ours);
 

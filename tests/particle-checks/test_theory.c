@@ -1,9 +1,8 @@
 /* Formulas of the study: capsules by quadrature, directions of contacts against plain geometry,
- * runs side by side against runs in turn, the source's law against the engine's. */
+ * the source's law against the engine's. */
 #include <gsl/gsl_integration.h>
 
 #include "experiments/particle-checks/checks.h"
-#include "experiments/particle-checks/side.h"
 #include "tests/support/check.h"
 
 /* ---- capsules -------------------------------------------------------------------------------- */
@@ -75,20 +74,6 @@ static void test_nests(void **state) {
     }
 }
 
-/* ---- side by side ---------------------------------------------------------------------------- */
-
-static void square_of(int index, const void *context, void *result) {
-    *(double *)result = *(const double *)context * index * index;
-}
-
-static void test_side_by_side(void **state) {
-    (void)state;
-    enum { COUNT = 100 };
-    double results[COUNT], factor = 0.7;
-    side_by_side(COUNT, square_of, &factor, results, sizeof *results);
-    for (int i = 0; i < COUNT; i++) CHECK_NEAR(results[i], 0.7 * i * i, 0);
-}
-
 /* ---- the source's law ------------------------------------------------------------------------ */
 
 /* Without a tangential dashpot and above the angle of repose it slides like the engine's own. */
@@ -157,6 +142,5 @@ static void test_impulse(void **state) {
 
 TEST_MAIN(cmocka_unit_test(test_capsule), cmocka_unit_test(test_matter),
           cmocka_unit_test(test_direction), cmocka_unit_test(test_nests),
-          cmocka_unit_test(test_side_by_side), cmocka_unit_test(test_printed_law),
-          cmocka_unit_test(test_terminal_speed), cmocka_unit_test(test_blow),
-          cmocka_unit_test(test_rest), cmocka_unit_test(test_impulse))
+          cmocka_unit_test(test_printed_law), cmocka_unit_test(test_terminal_speed),
+          cmocka_unit_test(test_blow), cmocka_unit_test(test_rest), cmocka_unit_test(test_impulse))

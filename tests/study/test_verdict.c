@@ -39,10 +39,14 @@ static void decisions(void **state) {
         {0.84, 0.837, 0.011, &EQUAL, VERDICT_MET},
         {0.84, 0.837, 0.030, &EQUAL, VERDICT_MISSED}, /* near, but not shown */
         {0.84, 0.80, 0.001, &EQUAL, VERDICT_MISSED},
-        {NAN, 10.8, 9, &MOST, VERDICT_MET},
+        {NAN, 10.8, 0, &MOST, VERDICT_MET},
         {10.8, 10.81, 0, &MOST, VERDICT_MISSED},
+        {NAN, 9.5, 1, &MOST, VERDICT_MET},    /* 9.5 + 1.24 */
+        {NAN, 9.7, 1, &MOST, VERDICT_MISSED}, /* 9.7 + 1.24: the mean alone would do */
         {NAN, 1, 0, &LEAST, VERDICT_MET},
         {NAN, 0.9, 0, &LEAST, VERDICT_MISSED},
+        {NAN, 2.3, 1, &LEAST, VERDICT_MET},
+        {NAN, 2.2, 1, &LEAST, VERDICT_MISSED},
         {0.39, NAN, NAN, &NEAR, VERDICT_MISSED}, /* every run blocked */
         {NAN, 0.39, 0.01, &NEAR, VERDICT_NOT_COMPARABLE},
         {0.39, 0.39, 0.01, &NONE, VERDICT_NOT_COMPARABLE},
@@ -53,6 +57,8 @@ static void decisions(void **state) {
         if (got != cases[i].want) fail_msg("case %d: %d", (int)i, (int)got);
     }
     assert_int_equal(verdict_of(1, five(1, 0.1), NEAR, false), VERDICT_NOT_COMPARABLE);
+    /* one run has no interval: it is compared as it is */
+    assert_int_equal(verdict_of(NAN, interval_exact(1), LEAST, true), VERDICT_MET);
     assert_int_equal(verdict_of(1, interval_exact(1), EQUAL, true),
                      VERDICT_MISSED); /* one run shows nothing */
 }
