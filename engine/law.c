@@ -21,7 +21,8 @@ const clast_law_info *clast_law_info_of(clast_law law) {
 }
 
 bool law_has_spring(const clast_world *w) {
-    if (w->def.tangent == CLAST_TANGENT_BY_LAW) return clast_law_info_of(w->def.law)->spring;
+    if (w->def.law == CLAST_LAW_USER || w->def.tangent == CLAST_TANGENT_BY_LAW)
+        return clast_law_info_of(w->def.law)->spring;
     return w->def.tangent == CLAST_TANGENT_SPRING;
 }
 

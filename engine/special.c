@@ -47,6 +47,7 @@ static bool has_rolling(const clast_world *w) {
 }
 
 static bool has_tangent(const clast_world *w) {
+    if (w->def.law == CLAST_LAW_USER) return true; /* its friction may be a number of its own */
     for (int i = 0; i < w->material_count * w->material_count; i++)
         if (w->coefs[i].set && (w->coefs[i].friction > 0 || w->coefs[i].cohesion > 0)) return true;
     return has_rolling(w); /* what turns spheres */

@@ -98,17 +98,19 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
     double rayleigh = def->rayleigh_fraction * p->rayleigh_step;
     double contact = p->contact_time / def->contact_resolution;
     bool linear = clast_law_info_of(def->law)->linear, by_contact = linear || contact <= rayleigh;
+    bool held = !given && p->time_step < (1 - 1e-9) * (by_contact ? contact : rayleigh);
+    bool others = !given && !held;
     printf("step: %.6g s, %s\n", p->time_step,
-           given ? "as the scene says" : "the smaller of two limits");
+           given ? "as the scene says" : "the smallest of its limits");
     snprintf(text, sizeof text, "%g of the Rayleigh step, %.4g s", def->rayleigh_fraction,
              p->rayleigh_step);
-    if (!linear) print_limit("Rayleigh", rayleigh, text, !given && !by_contact);
+    if (!linear) print_limit("Rayleigh", rayleigh, text, others && !by_contact);
     snprintf(text, sizeof text, "shortest contact, %.4g s at %.3g m/s, in %g steps",
              p->contact_time, p->impact_speed, def->contact_resolution);
-    print_limit("contact resolution", contact, text, !given && by_contact);
+    print_limit("contact resolution", contact, text, others && by_contact);
     snprintf(text, sizeof text, "2/omega, where a contact becomes unstable; the step is %.2g of it",
              p->time_step / p->critical_step);
-    print_limit("critical", p->critical_step, text, false);
+    print_limit("critical", p->critical_step, text, held);
     printf("  so the shortest contact takes %.1f steps\n", p->resolution);
 }
 

@@ -173,13 +173,19 @@ typedef struct edit {
     const char *value;
 } edit;
 
+/* A motion, and not three days: the one word of a scene that is a number with a unit as well. */
+static bool is_word(const char *text) {
+    return strcmp(text, "3d") == 0;
+}
+
 /* A value with a unit in the file and none on the command line is off by a thousand sooner or
  * later. */
 static bool same_dimension(scene_parameters *parameters, parameter *p, const char *value) {
     char why[UNIT_TEXT];
     unit_value before, now;
     unit_scope scope = scene_parameters_scope(parameters);
-    if (!unit_parse(p->node->text, &scope, &before, why)) return true; /* a text, say a path */
+    if (is_word(p->node->text) || !unit_parse(p->node->text, &scope, &before, why))
+        return true; /* a text, say a path */
     if (before.bare) return true;
     bool good = unit_parse(value, &scope, &now, why);
     if (good && unit_same(before.dimension, now.dimension) && !now.bare) return true;

@@ -27,17 +27,22 @@ static errors smooth(clast_scheme scheme, double restitution, double steps_per_p
     return e;
 }
 
+/* Where the next order no longer shows. Without dashpots the errors of third order all but cancel
+ * in Gear's velocity, so that the fourth shows down to steps a hundred times smaller. */
+static double asymptotic(clast_scheme scheme, double restitution, int order) {
+    if (scheme == CLAST_SCHEME_GEAR4 && restitution == 1) return 4500;
+    return order == 1 ? 800 : order == 2 ? 100 : order == 3 ? 240 : 60;
+}
+
 static void check_smooth(clast_scheme scheme, double restitution, int order) {
-    double coarse = order == 1 ? 800 : order == 2 ? 100 : order == 3 ? 240 : 60;
+    double coarse = asymptotic(scheme, restitution, order);
     errors a = smooth(scheme, restitution, coarse), b = smooth(scheme, restitution, 2 * coarse);
     double x = order_of(a.x, b.x, 2), v = order_of(a.v, b.v, 2);
     print_message("%-17s e = %.1f: error %.1e at %4.0f steps per period, orders %.3f in x, "
                   "%.3f in v\n",
                   clast_scheme_info_of(scheme)->name, restitution, b.x, 2 * coarse, x, v);
     CHECK_NEAR(x, order, 0.1);
-    /* without dashpots, the errors of third order all but cancel in Gear's velocity */
-    bool better = scheme == CLAST_SCHEME_GEAR4 && restitution == 1;
-    CHECK_NEAR(v, better ? 3.5 : order, better ? 0.6 : 0.1);
+    CHECK_NEAR(v, order, 0.1);
 }
 
 /* The leapfrog is of second order without dashpots, and of first with them: its own tests. */
@@ -91,14 +96,14 @@ static void an_onset_costs_order(void **state) {
     (void)state;
     for (int s = 0; s < CLAST_SCHEMES; s++) {
         int order = clast_scheme_info_of((clast_scheme)s)->order;
-        double coarse = order == 1 ? 206.3 : 51.37; /* no whole number: it would cancel errors */
+        double coarse = order == 1 ? 206.3 : 205.37; /* no whole number: it would cancel errors */
         errors a = bounce((clast_scheme)s, coarse), b = bounce((clast_scheme)s, 4 * coarse);
         double x = order_of(a.x, b.x, 4), v = order_of(a.v, b.v, 4);
         print_message("%-17s bounce: %.1e in x, %.1e in v at %4.0f steps, orders %.2f, %.2f\n",
                       clast_scheme_info_of((clast_scheme)s)->name, b.x, b.v, 4 * coarse, x, v);
         double want = order < 2 ? 1 : 2;
-        CHECK_BELOW(want - 0.25, x);
-        CHECK_BELOW(want - 0.25, v);
+        CHECK_BELOW(want - 0.1, x);
+        CHECK_BELOW(want - 0.1, v);
     }
 }
 

@@ -3,29 +3,32 @@
 #include "tests/support/collision.h"
 
 static const char LINEAR[] = USER_LAW_LINEAR, EXAMPLE[] = USER_LAW_EXAMPLE;
-static const double STIFF = 9100, TANGENT = 2600, RATIO = 0.17, MU = 0.31;
+static const char HIDDEN[] = "hidden_again";
+static const double STIFF = 9100, TANGENT = 2600, RATIO = 0.17, MU = 0.31, COHESION = 3e-4;
 
 /* ---- the linear law, twice ------------------------------------------------------------------- */
 
 static clast_pair_def linear_pair(void) {
     return (clast_pair_def){.restitution = clast_restitution(CLAST_LAW_LINEAR, RATIO),
                             .friction = MU,
-                            .cohesion = 3e-4,
+                            .cohesion = COHESION,
                             .stiffness = STIFF,
                             .tangential_ratio = TANGENT / STIFF,
-                            .parameter = {STIFF, TANGENT, RATIO}};
+                            .parameter = {STIFF, TANGENT, RATIO, MU, COHESION}};
 }
 
-/* A ball meets an uneven rod above a floor, sliding and spinning. */
-static clast_world *scene_of(bool own, clast_motion motion) {
-    clast_world_def def = bare_def(own ? CLAST_LAW_USER : CLAST_LAW_LINEAR);
+/* A ball meets an uneven rod above a floor, sliding and spinning. law: a name in the shared object;
+ * NULL: the engine's. */
+static clast_world *scene_of(const char *law, clast_motion motion) {
+    clast_world_def def = bare_def(law ? CLAST_LAW_USER : CLAST_LAW_LINEAR);
     def.gravity = (clast_vec3){0, 0, -9.81};
     def.motion = motion;
     def.time_step = 4e-6;
     def.max_residual = 1e9;
     clast_world *w = new_world(&def);
-    if (own) assert_int_equal(clast_world_use_law(w, LINEAR, "linear_again"), CLAST_OK);
+    if (law) assert_int_equal(clast_world_use_law(w, LINEAR, law), CLAST_OK);
     clast_pair_def pair = linear_pair();
+    if (law == HIDDEN) pair.friction = pair.cohesion = 0; /* the engine is told of none */
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
     int rod = add_uneven_rod(w, m.hard, 0.0042);
@@ -53,8 +56,8 @@ static void compare_forces(clast_world *one, clast_world *other, double *most, d
     }
 }
 
-static void compare_linear(clast_motion motion) {
-    clast_world *own = scene_of(true, motion), *built_in = scene_of(false, motion);
+static void compare_linear(const char *law, clast_motion motion) {
+    clast_world *own = scene_of(law, motion), *built_in = scene_of(NULL, motion);
     double most = 0, worst = 0;
     int touching = 0;
     for (int i = 0; i < 2500; i++) {
@@ -78,12 +81,18 @@ static void compare_linear(clast_motion motion) {
 
 static void linear_law_is_the_engines_in_space(void **state) {
     (void)state;
-    compare_linear(CLAST_MOTION_3D);
+    compare_linear("linear_again", CLAST_MOTION_3D);
 }
 
 static void linear_law_is_the_engines_in_a_plane(void **state) {
     (void)state;
-    compare_linear(CLAST_MOTION_IN_PLANE);
+    compare_linear("linear_again", CLAST_MOTION_IN_PLANE);
+}
+
+/* Tangential history and turning do not hang on the friction that the engine knows of. */
+static void a_friction_of_its_own_is_felt(void **state) {
+    (void)state;
+    compare_linear(HIDDEN, CLAST_MOTION_3D);
 }
 
 /* ---- a law that remembers ------------------------------------------------------------------- */
@@ -261,6 +270,7 @@ static void the_step_follows_from_the_law(void **state) {
 
 TEST_MAIN(cmocka_unit_test(linear_law_is_the_engines_in_space),
           cmocka_unit_test(linear_law_is_the_engines_in_a_plane),
+          cmocka_unit_test(a_friction_of_its_own_is_felt),
           cmocka_unit_test(memory_is_kept_as_a_plastic_overlap),
           cmocka_unit_test(a_restart_asks_for_the_same_law),
           cmocka_unit_test(the_example_rebounds_as_its_closed_form),

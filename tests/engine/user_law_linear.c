@@ -1,7 +1,8 @@
 /* Two of the engine's laws, written as laws of the user's own: to the last digits the same. Beside
  * them, an entry of a version that does not exist.
  *
- * Parameters: k_n (N/m), k_t (N/m), damping ratio; Walton-Braun k_1 and k_2 (N/m). */
+ * Parameters: k_n (N/m), k_t (N/m), damping ratio, hidden friction and cohesion (N); Walton-Braun
+ * k_1 and k_2 (N/m). */
 #include <math.h>
 
 #include "engine/clast_law.h"
@@ -33,6 +34,15 @@ static void linear(const clast_law_pair *pair, const clast_law_touch *touch,
     force->tangential_energy = 0.5 * stretch * stretch / k_t;
 }
 
+/* The same with a friction that only the law knows of: the fourth parameter. */
+static void hidden_friction(const clast_law_pair *pair, const clast_law_touch *touch,
+                            clast_law_history *history, clast_law_force *force) {
+    clast_law_pair own = *pair;
+    own.friction = pair->parameter[3];
+    own.cohesion = pair->parameter[4];
+    linear(&own, touch, history, force);
+}
+
 /* F = k_2 (d - p), p at least (1 - k_1 / k_2) d: the overlap p at which unloading ends is what the
  * contact remembers. */
 static void plastic(const clast_law_pair *pair, const clast_law_touch *touch,
@@ -46,5 +56,6 @@ static void plastic(const clast_law_pair *pair, const clast_law_touch *touch,
 }
 
 const clast_law_entry linear_again = {CLAST_LAW_VERSION, linear};
+const clast_law_entry hidden_again = {CLAST_LAW_VERSION, hidden_friction};
 const clast_law_entry plastic_again = {CLAST_LAW_VERSION, plastic};
 const clast_law_entry of_tomorrow = {CLAST_LAW_VERSION + 1, linear};
