@@ -234,12 +234,12 @@ static void laws_that_cannot_be_used_are_faults(void **state) {
     static const char *const NAMELESS[] = {"library=" USER_LAW, "law=cubic_dashpot"};
     static const char *const TOMORROW[] = {"library=" USER_LAW_LINEAR, "law=of_tomorrow"};
     refuses(NAMELESS, 2,
-            "user.yaml:6: contact.function: contact law " USER_LAW ": has no 'cubic_dashpot'\n");
+            "user.yaml:8: contact.function: contact law " USER_LAW ": has no 'cubic_dashpot'\n");
     refuses(TOMORROW, 2,
-            "user.yaml:6: contact.function: contact law " USER_LAW_LINEAR
+            "user.yaml:8: contact.function: contact law " USER_LAW_LINEAR
             ": 'of_tomorrow' is of version 2, expected 1\n");
     refuses(NULL, 0,
-            "user.yaml:6: contact.library: found '" CLAST_SCENES
+            "user.yaml:8: contact.library: found '" CLAST_SCENES
             "/user_law_example.so', which cannot be opened");
 }
 
