@@ -113,13 +113,40 @@ static void describe_patch(FILE *t, const patch *p) {
     fprintf(t, "\n");
 }
 
-static void describe_walls(FILE *t, const clast_world *w) {
-    for (int i = 0; i < w->part_count; i++) {
-        const clast_part_def *d = &w->parts[i].def;
-        fprintf(t, "part %s velocity %.17g %.17g %.17g from %.17g until %.17g removed %.17g\n",
-                w->parts[i].name, d->velocity.x, d->velocity.y, d->velocity.z, d->move_from,
-                d->move_until, d->removed_at);
+static void describe_vec(FILE *t, const char *what, vec3 a) {
+    fprintf(t, " %s %.17g %.17g %.17g", what, a.x, a.y, a.z);
+}
+
+/* Motions that there are none of are left out: older files stay readable. */
+static void describe_part(FILE *t, const part *p) {
+    const clast_part_def *d = &p->def;
+    fprintf(t, "part %s velocity %.17g %.17g %.17g from %.17g until %.17g removed %.17g", p->name,
+            d->velocity.x, d->velocity.y, d->velocity.z, d->move_from, d->move_until,
+            d->removed_at);
+    if (v3_norm(d->stroke.travel) > 0) {
+        describe_vec(t, "stroke", d->stroke.travel);
+        fprintf(t, " at %.17g pause %.17g phase %.17g", d->stroke.speed, d->stroke.pause,
+                d->stroke.phase);
     }
+    if (v3_norm(d->oscillation.amplitude) > 0) {
+        describe_vec(t, "oscillation", d->oscillation.amplitude);
+        fprintf(t, " at %.17g phase %.17g", d->oscillation.frequency, d->oscillation.phase);
+    }
+    if (p->turns) {
+        describe_vec(t, "turns about", d->rotation.point);
+        describe_vec(t, "along", p->axis);
+        fprintf(t, " at %.17g swing %.17g at %.17g phase %.17g", d->rotation.speed,
+                d->rotation.swing, d->rotation.frequency, d->rotation.phase);
+    }
+    for (int i = 0; i < d->table.rows; i++) {
+        describe_vec(t, "row", d->table.offset[i]);
+        fprintf(t, " %.17g %.17g", d->table.angle ? d->table.angle[i] : 0, d->table.time[i]);
+    }
+    fprintf(t, "\n");
+}
+
+static void describe_walls(FILE *t, const clast_world *w) {
+    for (int i = 0; i < w->part_count; i++) describe_part(t, &w->parts[i]);
     for (int i = 0; i < w->wall_count; i++) {
         const clast_wall_def *d = &w->walls[i].def;
         fprintf(t, "wall %s kind %d part %s material %s point %.17g %.17g %.17g", w->walls[i].name,

@@ -9,7 +9,7 @@
  *     int glass = clast_material_add(w, &(clast_material_def){"glass", 2500, 70e9, 0.22});
  *     clast_pair_set(w, glass, glass, &(clast_pair_def){.restitution = 0.9, .friction = 0.3});
  *     int ball = clast_shape_add_sphere(w, "ball", 0.005, glass);
- *     int floor = clast_part_add(w, &(clast_part_def){"floor"});
+ *     int floor = clast_part_add(w, &(clast_part_def){.name = "floor"});
  *     clast_wall_add(w, floor, &(clast_wall_def){"floor", CLAST_WALL_PLANE, glass,
  *                                                .normal = {0, 0, 1}});
  *     clast_body_add(w, &(clast_body_def){.shape = ball, .position = {0, 0, 0.1}});
@@ -269,12 +269,54 @@ int clast_shape_add_sphere(clast_world *w, const char *name, double radius, int 
  * Appendix E prints the result for a = 0.69 cm, b = 0.53 cm and 7 spheres. */
 clast_status clast_fit_ellipse(double a, double b, int spheres, clast_vec3 *centre, double *radius);
 
+/* How a part moves: what is given of the following adds up. Each is a function of the time since
+ * move_from, so the part never drifts; at move_until it stops where it is, and before move_from it
+ * stands where it will start. A speed may jump, as at the ends of a stroke. */
+
+/* Out along `travel` and back, with a pause at either end. */
+typedef struct clast_stroke {
+    clast_vec3 travel; /* m, from one end to the other; {0}: no stroke */
+    double speed;      /* m/s, on the way; > 0 */
+    double pause;      /* s, at each end; >= 0 */
+    double phase;      /* in [0, 1): where it starts, of out, pause, back, pause */
+} clast_stroke;
+
+/* amplitude sin(2 pi (frequency t + phase)) */
+typedef struct clast_oscillation {
+    clast_vec3 amplitude; /* m; {0}: none */
+    double frequency;     /* 1/s, > 0 */
+    double phase;         /* in [0, 1), of a period */
+} clast_oscillation;
+
+/* Right-handed by speed t + swing sin(2 pi (frequency t + phase)). */
+typedef struct clast_rotation {
+    clast_vec3 point; /* m, of the axis, in the part as it is given; the axis goes with the part */
+    clast_vec3 axis;  /* any length > 0 */
+    double speed;     /* rad/s */
+    double swing;     /* rad; 0: none */
+    double frequency; /* 1/s, > 0, of the swing */
+    double phase;     /* in [0, 1), of a period of it */
+} clast_rotation;
+
+/* Straight from row to row; before the first and behind the last it stands. The world has a copy.
+ */
+typedef struct clast_motion_table {
+    int rows;                 /* 0: no table */
+    const double *time;       /* s since move_from, rising */
+    const clast_vec3 *offset; /* m */
+    const double *angle;      /* rad, about the axis of the rotation; may be NULL */
+} clast_motion_table;
+
 typedef struct clast_part_def {
     const char *name;
     clast_vec3 velocity; /* m/s, constant while moving */
-    double move_from;    /* s */
+    double move_from;    /* s; the belts of its walls run in the same time */
     double move_until;   /* s; 0 reads as never ending */
     double removed_at;   /* s; 0 reads as never */
+    clast_stroke stroke;
+    clast_oscillation oscillation;
+    clast_rotation rotation;
+    clast_motion_table table;
 } clast_part_def;
 
 int clast_part_add(clast_world *w, const clast_part_def *def);
@@ -410,13 +452,24 @@ clast_energy clast_world_energy(clast_world *w);
 
 typedef struct clast_part_load {
     clast_vec3 force;  /* N, of the bodies on the part, now */
-    clast_vec3 torque; /* N m, about the world origin, of these forces (no rolling couples) */
+    clast_vec3 torque; /* N m, about `about`, of these forces (no rolling couples) */
+    clast_vec3 about;  /* m: where the point of its rotation is now; the world origin without one */
+    double power;      /* W, of the part on the bodies, now */
     double work;       /* J, done by the part on the bodies so far */
 } clast_part_load;
 
 clast_part_load clast_world_part_load(clast_world *w, int part);
 bool clast_world_part_present(const clast_world *w, int part);
 clast_vec3 clast_world_part_offset(const clast_world *w, int part); /* m, moved so far */
+
+/* Where a part is: what is at x (m) in the walls as they are given is at turn(x) + shift. */
+typedef struct clast_pose {
+    clast_quat turn;
+    clast_vec3 shift; /* m */
+} clast_pose;
+
+clast_pose clast_world_part_pose(const clast_world *w, int part);
+clast_vec3 clast_pose_apply(clast_pose pose, clast_vec3 place);
 
 /* Names and counts, for output and drawing. */
 int clast_world_shape_count(const clast_world *w);

@@ -20,25 +20,39 @@ static void run_share(void *context, int thread) {
 
 static void run_pass(clast_world *w, contact_mode mode) {
     size_t parts = (size_t)w->threads * (size_t)w->part_count;
-    if (mode != CONTACTS_REPORT) memset(w->power_room, 0, parts * sizeof *w->power_room);
+    if (mode != CONTACTS_REPORT) memset(w->push_room, 0, parts * sizeof *w->push_room);
     pass_order o = {w, mode};
     parallel_run(w->threads, run_share, &o);
 }
 
-/* J that walls with a moving surface do in a step, at the forces of the last pass. */
-static double part_power(const clast_world *w, int part_index) {
-    exact_sum power = {0, 0};
-    for (int t = 0; t < w->threads; t++) sum_merge(&power, &w->shares[t].part_power[part_index]);
-    return sum_value(&power);
+/* What a part does to the bodies, at the forces of the last pass. */
+static part_push push_of(const clast_world *w, int part_index) {
+    part_sums all = {.belt = {0, 0}};
+    for (int t = 0; t < w->threads; t++) {
+        const part_sums *s = &w->shares[t].pushes[part_index];
+        for (int k = 0; k < 3; k++) sum_merge(&all.force[k], &s->force[k]);
+        sum_merge(&all.moment, &s->moment), sum_merge(&all.belt, &s->belt);
+    }
+    vec3 force = v3(sum_value(&all.force[0]), sum_value(&all.force[1]), sum_value(&all.force[2]));
+    return (part_push){force, sum_value(&all.moment), sum_value(&all.belt)};
 }
 
-/* Mean of the forces at the two ends of the step, on the way of the surface. */
+/* J: mean of the forces at the two ends of the step, on the way that the part has gone. */
+static double step_work(const clast_world *w, const part *p, const part_push *now) {
+    vec3 way = to_kernel(w, v3_sub(p->end.offset, p->start.offset));
+    double turn = p->end.angle - p->start.angle;
+    return 0.5 * (v3_dot(v3_add(p->push.force, now->force), way) +
+                  (p->push.moment + now->moment) * turn + (p->push.belt + now->belt) * w->dt);
+}
+
 static void book_parts(clast_world *w) {
     double all = 0;
-    for (int p = 0; p < w->part_count; p++) {
-        double now = part_power(w, p), work = 0.5 * (w->parts[p].power + now);
-        w->parts[p].power = now;
-        w->parts[p].work_total += work;
+    for (int i = 0; i < w->part_count && w->special.pushing; i++) {
+        part *p = &w->parts[i];
+        part_push now = push_of(w, i);
+        double work = step_work(w, p, &now);
+        p->push = now;
+        p->work_total += work;
         all += work;
     }
     w->ledger.wall_work += all;
@@ -74,7 +88,7 @@ void contacts_evaluate(clast_world *w) {
 void contacts_restore(clast_world *w) {
     loads_clear(w);
     run_pass(w, CONTACTS_AGAIN);
-    for (int p = 0; p < w->part_count; p++) w->parts[p].power = part_power(w, p);
+    for (int i = 0; i < w->part_count && w->special.pushing; i++) w->parts[i].push = push_of(w, i);
 }
 
 /* ---- one by one ------------------------------------------------------------------------------ */

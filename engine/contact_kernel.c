@@ -4,6 +4,7 @@
  * the bits are the same for all instruction sets. */
 #include "engine/column_lanes.h"
 #include "engine/geometry.h"
+#include "engine/part.h"
 #include "engine/shared_lanes.h"
 #include "engine/wall_lanes.h"
 #ifndef CLAST_SINGLE
@@ -212,7 +213,6 @@ LANE_INLINE void load_wall_contact(pass *p, int i, size_t sphere, size_t wall_in
         b->d[k][i] = centre[k] - l->point[k];
         b->v[k][i] = (real)(m->v[k] - l->motion[k]);
         b->wa[k][i] = (real)m->w[k];
-        p->l.motion[k][i] = l->motion[k];
         p->l.n[k][i] = l->n[k], p->l.u[k][i] = l->u[k], p->l.v[k][i] = l->v[k];
         if (need.clumps) b->oa[k][i] = (real)r->arm[sphere].arm[k];
     }
@@ -239,7 +239,6 @@ LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const i
     put_vector(p->b.v, i, v, need);
     put_spin(p->b.wa, i, wa, need);
     if (need.clumps) put_vector(p->b.oa, i, oa, need);
-    put_row(p->l.motion, i, row[1]);
     put_row(p->l.n, i, row[2]), put_row(p->l.u, i, row[3]), put_row(p->l.v, i, row[4]);
 }
 #endif
@@ -316,6 +315,23 @@ LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
     for (int i = 0; i < padded; i++) wall_overlap_lane(&p->b, i);
 }
 
+/* A wall that turns moves where it is touched; the sphere rolls against its spin. */
+static void turn_walls(pass *p, size_t begin, int count) {
+    const clast_world *w = p->w;
+    batch *b = &p->b;
+    for (int i = 0; i < count; i++) {
+        const part *of = &w->parts[w->walls[p->list->b[begin + (size_t)i]].part];
+        vec3 spin = to_kernel(w, v3_scale(of->at.spin, of->axis));
+        b->wb[0][i] = (real)spin.x, b->wb[1][i] = (real)spin.y, b->wb[2][i] = (real)spin.z;
+        if (of->at.spin == 0) continue;
+        const centre_row *c = &w->rows.centre[p->list->a[begin + (size_t)i]];
+        vec3 n = v3(b->n[0][i], b->n[1][i], b->n[2][i]);
+        vec3 point = v3_sub(v3(c->x, c->y, c->z), v3_scale(b->la[i], n));
+        vec3 v = v3_cross(spin, v3_sub(point, to_kernel(w, part_pivot(of))));
+        b->v[0][i] -= (real)v.x, b->v[1][i] -= (real)v.y, b->v[2][i] -= (real)v.z;
+    }
+}
+
 LANE_INLINE void touch_spheres(pass *p, int padded, law_need need) {
     batch *b = &p->b;
 #pragma omp simd
@@ -383,11 +399,12 @@ static void after_law(pass *p, size_t begin, int padded) {
         for (int i = 0; i < padded; i++) yield_after(b, h, i);
     }
     if (!p->rolls) return;
-    if (p->need.flat && p->need.equal)
+    bool equal = p->need.equal && !(p->with_walls && p->w->special.turning);
+    if (p->need.flat && equal)
         roll(b, h, padded, (law_need){.flat = true, .equal = true});
     else if (p->need.flat)
         roll(b, h, padded, (law_need){.flat = true});
-    else if (p->need.equal)
+    else if (equal)
         roll(b, h, padded, (law_need){.equal = true});
     else
         roll(b, h, padded, (law_need){.flat = false});
@@ -547,13 +564,43 @@ LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
 
 /* ---- walls and readers ----------------------------------------------------------------------- */
 
-static void tally_power(pass *p, size_t begin, int count, int padded) {
-#pragma omp simd
-    for (int i = 0; i < padded; i++) wall_power_lane(&p->b, &p->l, i);
+/* N m, about the axis of a part that turns: of its force on a body and of the couple there. */
+static double moment_of(const pass *p, const part *of, size_t at, int i) {
+    const clast_world *w = p->w;
+    const batch *b = &p->b;
+    size_t sphere = (size_t)p->list->a[at];
+    const centre_row *c = &w->rows.centre[sphere];
+    vec3 arm = v3_sub(v3(c->x, c->y, c->z), to_kernel(w, part_pivot(of)));
+    if (p->need.clumps) {
+        const double *out = w->rows.arm[sphere].arm;
+        arm = v3_sub(arm, v3(out[0], out[1], out[2]));
+    }
+    vec3 moment = v3_cross(arm, v3((double)b->f[0][i], (double)b->f[1][i], (double)b->f[2][i]));
+    if (p->need.tangent || p->need.clumps) {
+        double z = (double)b->ta[2][i];
+        moment.z += z;
+        if (!p->need.flat) moment.x += (double)b->ta[0][i], moment.y += (double)b->ta[1][i];
+    }
+    return v3_dot(to_kernel(w, of->axis), moment);
+}
+
+/* What parts with a moving surface do to the bodies. */
+static void tally_pushes(pass *p, size_t begin, int count) {
+    const clast_world *w = p->w;
+    const batch *b = &p->b;
     for (int i = 0; i < count; i++) {
-        if (p->l.power[i] == 0) continue;
-        int owner = p->w->walls[p->list->b[begin + (size_t)i]].part;
-        sum_add(&p->s->part_power[owner], &p->w->ledger.scale, p->l.power[i] * p->w->dt);
+        size_t at = begin + (size_t)i;
+        const wall *l = &w->walls[p->list->b[at]];
+        if (!l->pushes || !(b->overlap[i] > 0)) continue;
+        part_sums *s = &p->s->pushes[l->part];
+        vec3 belt = to_kernel(w, l->belt), f = {0, 0, 0};
+        f = v3((double)b->f[0][i], (double)b->f[1][i], p->need.flat ? 0 : (double)b->f[2][i]);
+        sum_add(&s->force[0], &w->force_scale, f.x);
+        sum_add(&s->force[1], &w->force_scale, f.y);
+        sum_add(&s->force[2], &w->force_scale, f.z);
+        sum_add(&s->belt, &w->belt_scale, v3_dot(f, belt));
+        const part *of = &w->parts[l->part];
+        if (of->turns) sum_add(&s->moment, &w->moment_scale, moment_of(p, of, at, i));
     }
 }
 
@@ -580,6 +627,7 @@ LANE_INLINE void prepare_batch(pass *p, size_t begin, int count, int padded, law
     else
         touch_spheres(p, padded, need);
     prefetch_piece(p, begin, 0, need);
+    if (p->with_walls && p->w->special.turning) turn_walls(p, begin, count);
     if (p->around) before_law(p, begin, count, padded);
 }
 
@@ -676,7 +724,7 @@ LANE_INLINE void run_list(pass *p, law_need need) {
         round_loads(p, padded, need);
         prefetch_piece(p, begin, 6, need);
         scatter(p, begin, count, need);
-        if (p->with_walls) tally_power(p, begin, count, padded);
+        if (p->with_walls && p->w->special.pushing) tally_pushes(p, begin, count);
     }
 }
 
@@ -700,9 +748,8 @@ LANE_INLINE void run_linear(pass *p, bool flat) {
 static void run(pass *p) {
     const law_need *need = &p->need;
     if (p->list->count == 0) return;
-    p->sharing = (sharing){.on = p->w->special.shared,
-                           .groups = &p->s->groups[p->with_walls],
-                           .batch = p->s->batches};
+    p->sharing = (sharing){
+        .on = p->w->special.shared, .groups = &p->s->groups[p->with_walls], .batch = p->s->batches};
     fill_constants(p);
     p->sharing.whole_mass = p->b.mass[0];
     if (need->linear && need->flat)

@@ -89,6 +89,16 @@ static clast_status motion_failure(clast_world *w) {
     return trip(w, what);
 }
 
+/* Walls must not step over bodies either. A plane has no other side to come out of. */
+static clast_status wall_failure(clast_world *w) {
+    char what[512];
+    snprintf(what, sizeof what,
+             "part %s moves %.3g mm in one step (limit %.3g of the smallest radius %.3g mm)",
+             w->parts[w->wall_who].name, 1e3 * w->wall_step, w->def.max_displacement,
+             1e3 * w->smallest_radius);
+    return trip(w, what);
+}
+
 /* ---- Newton's method ------------------------------------------------------------------------- */
 
 clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move) {
@@ -129,6 +139,10 @@ clast_status guards_check_energy(clast_world *w) {
 clast_status guards_check(clast_world *w) {
     if (!(w->found.way <= w->def.max_displacement * w->smallest_radius)) {
         clast_status s = motion_failure(w);
+        if (s) return s;
+    }
+    if (!(w->wall_step <= w->def.max_displacement * w->smallest_radius)) {
+        clast_status s = wall_failure(w);
         if (s) return s;
     }
     if (!(w->overlap_now <= w->def.max_overlap)) {

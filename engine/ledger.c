@@ -12,7 +12,7 @@
  * force by itself. Contact points travel, so it is of first order unless the old point is kept or
  * found again (a third more work per contact). */
 #include "engine/numbers.h"
-#include "engine/world.h"
+#include "engine/part.h"
 
 /* Gravity against the lowest corner of the domain. */
 static double gravity_of(const clast_world *w) {
@@ -58,8 +58,10 @@ static double energy_scale(const clast_world *w) {
         if (v2 + s2 * arm * arm > fastest2) fastest2 = v2 + s2 * arm * arm;
     }
     for (int l = 0; l < w->wall_count; l++) {
-        vec3 v = v3_add(w->walls[l].def.belt_velocity, w->parts[w->walls[l].part].def.velocity);
-        if (v3_dot(v, v) > fastest2) fastest2 = v3_dot(v, v);
+        const part *p = &w->parts[w->walls[l].part];
+        double v = v3_norm(v3_add(w->walls[l].def.belt_velocity, p->def.velocity));
+        v += part_speed_bound(p, p->reach);
+        fastest2 = fmax(fastest2, v * v);
     }
     double scale = mass * (fastest2 + v3_norm(w->def.gravity) * extent) + elastic_bound(w);
     return number_power_of_two_above(scale > 1e-200 ? scale : 1e-200);

@@ -46,7 +46,8 @@ typedef struct book_copy {
     ledger ledger;
     double overlap_max, overlap_now;
     size_t contacts;
-    double *power, *work; /* per part */
+    part_push *push; /* per part */
+    double *work;    /* J, per part */
 } book_copy;
 
 /* Where everything was when the lists were made. */
@@ -54,7 +55,7 @@ typedef struct list_reference {
     uint64_t rebuild; /* counter of rebuilds then */
     size_t capacity;
     double *x[3], *q[4];
-    vec3 *offset; /* of the parts */
+    part_place *part;
 } list_reference;
 
 /* ---- Newton's method ------------------------------------------------------------------------- */

@@ -7,6 +7,7 @@
  * (trial_preload), and over the other half with those at its end. */
 #include <string.h>
 
+#include "engine/part.h"
 #include "engine/scheme.h"
 
 /* ---- copies ---------------------------------------------------------------------------------- */
@@ -53,15 +54,15 @@ static void put_histories_back(clast_world *w, bool springs) {
 void trial_keep_books(clast_world *w) {
     book_copy *b = &w->integrator->books;
     size_t parts = (size_t)w->part_count;
-    if (!b->power) {
-        b->power = memory_grow(w, NULL, 0, parts + 1, sizeof *b->power);
+    if (!b->push) {
+        b->push = memory_grow(w, NULL, 0, parts + 1, sizeof *b->push);
         b->work = memory_grow(w, NULL, 0, parts + 1, sizeof *b->work);
     }
     b->ledger = w->ledger;
     b->overlap_max = w->counters.overlap_max, b->overlap_now = w->overlap_now;
     b->contacts = w->counters.contacts;
     for (size_t p = 0; p < parts; p++)
-        b->power[p] = w->parts[p].power, b->work[p] = w->parts[p].work_total;
+        b->push[p] = w->parts[p].push, b->work[p] = w->parts[p].work_total;
 }
 
 static void put_books_back(clast_world *w) {
@@ -70,13 +71,13 @@ static void put_books_back(clast_world *w) {
     w->counters.overlap_max = b->overlap_max, w->overlap_now = b->overlap_now;
     w->counters.contacts = b->contacts;
     for (int p = 0; p < w->part_count; p++)
-        w->parts[p].power = b->power[p], w->parts[p].work_total = b->work[p];
+        w->parts[p].push = b->push[p], w->parts[p].work_total = b->work[p];
 }
 
 void trial_free(clast_world *w) {
     integrator *s = w->integrator;
     list_reference *r = &s->reference;
-    memory_release(s->books.power), memory_release(s->books.work), memory_release(r->offset);
+    memory_release(s->books.push), memory_release(s->books.work), memory_release(r->part);
     for (int k = 0; k < 3; k++) memory_release(r->x[k]);
     for (int k = 0; k < 4; k++) memory_release(r->q[k]);
     for (int l = 0; s->lists && l < 2 * w->threads; l++)
@@ -90,8 +91,7 @@ static void take_reference(clast_world *w) {
     list_reference *r = &w->integrator->reference;
     const body_store *b = &w->bodies;
     size_t old = r->capacity, now = b->count + 1;
-    if (!r->offset)
-        r->offset = memory_grow(w, NULL, 0, (size_t)w->part_count + 1, sizeof *r->offset);
+    if (!r->part) r->part = memory_grow(w, NULL, 0, (size_t)w->part_count + 1, sizeof *r->part);
     if (now > old) {
         for (int k = 0; k < 3; k++) r->x[k] = memory_grow(w, r->x[k], old, now, sizeof(double));
         for (int k = 0; k < 4; k++) r->q[k] = memory_grow(w, r->q[k], old, now, sizeof(double));
@@ -100,7 +100,7 @@ static void take_reference(clast_world *w) {
     const double *x[3] = {b->x, b->y, b->z}, *q[4] = {b->qw, b->qx, b->qy, b->qz};
     for (int k = 0; k < 3; k++) memcpy(r->x[k], x[k], b->count * sizeof(double));
     for (int k = 0; k < 4; k++) memcpy(r->q[k], q[k], b->count * sizeof(double));
-    for (int p = 0; p < w->part_count; p++) r->offset[p] = w->parts[p].offset;
+    for (int p = 0; p < w->part_count; p++) r->part[p] = w->parts[p].at;
     r->rebuild = w->counters.rebuilds;
 }
 
@@ -127,8 +127,7 @@ static bool lists_hold(const clast_world *w) {
         double way = way_of(w, r, i);
         if (!(way <= most)) most = way;
     }
-    for (int p = 0; p < w->part_count; p++)
-        most = fmax(most, v3_norm(v3_sub(w->parts[p].offset, r->offset[p])));
+    for (int i = 0; i < w->part_count; i++) most = fmax(most, part_way(&w->parts[i], &r->part[i]));
     return 2 * most < w->margin;
 }
 

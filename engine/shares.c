@@ -19,8 +19,8 @@ void shares_free(clast_world *w) {
         memory_release(s->overhang);
         shared_free(s);
     }
-    memory_release(w->shares), memory_release(w->power_room);
-    w->shares = NULL, w->power_room = NULL;
+    memory_release(w->shares), memory_release(w->push_room);
+    w->shares = NULL, w->push_room = NULL;
 }
 
 void shares_make(clast_world *w, int threads) {
@@ -28,8 +28,8 @@ void shares_make(clast_world *w, int threads) {
     w->threads = threads;
     size_t count = (size_t)threads, parts = (size_t)w->part_count;
     w->shares = memory_lines(w, NULL, 0, count * sizeof *w->shares);
-    w->power_room = memory_grow(w, NULL, 0, count * parts + 1, sizeof *w->power_room);
-    for (int t = 0; t < threads; t++) w->shares[t].part_power = w->power_room + (size_t)t * parts;
+    w->push_room = memory_grow(w, NULL, 0, count * parts + 1, sizeof *w->push_room);
+    for (int t = 0; t < threads; t++) w->shares[t].pushes = w->push_room + (size_t)t * parts;
 }
 
 /* Work of a body: its spheres and, twice as dear, the contacts that it owns. */

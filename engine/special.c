@@ -1,6 +1,6 @@
 /* special.c - what the scene does not need: picks the kernels and the quanta of the loads. */
 #include "engine/numbers.h"
-#include "engine/world.h"
+#include "engine/part.h"
 
 contact_kernel contact_kernel_baseline, contact_kernel_avx2, contact_kernel_avx512;
 contact_kernel contact_kernel_mixed_baseline, contact_kernel_mixed_avx2,
@@ -56,8 +56,8 @@ static bool has_tangent(const clast_world *w) {
 /* A wall that can push in the plane of motion alone, seen from spheres at height z of its axis. */
 static bool wall_is_flat(const clast_world *w, const wall *l, double z) {
     vec3 n = to_kernel(w, l->n), u = to_kernel(w, l->u), v = to_kernel(w, l->v);
-    vec3 moves = to_kernel(w, v3_add(w->parts[l->part].def.velocity, l->def.belt_velocity));
-    if (n.z != 0 || moves.z != 0) return false;
+    if (n.z != 0 || to_kernel(w, l->def.belt_velocity).z != 0) return false;
+    if (!part_is_flat(w, &w->parts[l->part])) return false;
     if (l->def.kind == CLAST_WALL_PLANE) return true;
     if (l->def.kind == CLAST_WALL_PATCH) return false;
     double height = z - to_kernel(w, l->def.point).z;
@@ -106,7 +106,27 @@ void special_choose(clast_world *w) {
         k.one_wall &= w->walls[l].def.material == w->walls[0].def.material;
     k.flat = is_flat(w);
     k.shared = k.clumps && w->def.clump_contact == CLAST_CLUMP_SHARED;
+    for (int l = 0; l < w->wall_count; l++) {
+        const part *p = &w->parts[w->walls[l].part];
+        k.turning |= p->turns;
+        k.pushing |= wall_pushes(w, &w->walls[l]);
+    }
     w->special = k;
+}
+
+/* ---- quanta of what parts do -----------------------------------------------------------------
+ */
+
+/* `force`: N, that no contact has more of. */
+static void choose_push_scales(clast_world *w, double force) {
+    double lever = w->largest_bound, belt = 0;
+    vec3 wide = v3_sub(w->def.domain_max, w->def.domain_min);
+    lever += v3_norm(wide);
+    for (int l = 0; l < w->wall_count; l++)
+        belt = fmax(belt, v3_norm(w->walls[l].def.belt_velocity));
+    w->force_scale = sum_scale_for(force);
+    w->moment_scale = sum_scale_for(force * number_power_of_two_above(lever));
+    w->belt_scale = sum_scale_for(force * number_power_of_two_above(fmax(belt, 1e-30)));
 }
 
 /* ---- quanta of the loads ----------------------------------------------------------------------
@@ -133,6 +153,7 @@ void special_choose_scale(clast_world *w) {
     }
     double force = number_power_of_two_above(fmax(8 * largest, 1e-100) + 100 * weight);
     double arm = number_power_of_two_above(w->largest_bound * (1 + rolling));
+    choose_push_scales(w, force);
     w->load_scale = (load_scale){.force = 0x1p61 / force,
                                  .torque = 0x1p61 / (force * arm),
                                  .force_quantum = force * 0x1p-61,

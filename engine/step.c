@@ -120,6 +120,7 @@ clast_status clast_world_prepare(clast_world *w) {
     if (s) return s;
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG) integrator_make(w);
     walls_link(w);
+    walls_group(w);
     walls_make_rows(w);
     walls_move(w);
     carry_records(w);

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "engine/world.h"
+#include "engine/part.h"
 
 double clast_world_time(const clast_world *w) {
     return (double)w->step * w->dt;
@@ -80,9 +80,19 @@ size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room
     return count;
 }
 
+/* W, with the velocities at the time of the positions. */
+static double power_of(const clast_world *w, const part *p) {
+    part_place now = part_at(p, clast_world_time(w));
+    return v3_dot(from_kernel(w, p->push.force), now.velocity) + p->push.moment * now.spin +
+           p->push.belt;
+}
+
 clast_part_load clast_world_part_load(clast_world *w, int index) {
     CLAST_ASSERT(w && w->prepared && index >= 0 && index < w->part_count);
-    clast_part_load load = {.work = w->parts[index].work_total};
+    const part *p = &w->parts[index];
+    clast_part_load load = {.about = p->turns ? part_pivot(p) : v3(0, 0, 0),
+                            .power = power_of(w, p),
+                            .work = p->work_total};
     contact_reading *readings;
     size_t count = contacts_read(w, &readings);
     for (size_t i = 0; i < count; i++) {
@@ -91,17 +101,10 @@ clast_part_load clast_world_part_load(clast_world *w, int index) {
             continue;
         vec3 on_part = v3_scale(-1, r->force);
         load.force = v3_add(load.force, on_part);
-        load.torque = v3_add(load.torque, v3_cross(r->point, on_part));
+        load.torque = v3_add(load.torque, v3_cross(v3_sub(r->point, load.about), on_part));
     }
     free(readings);
     return load;
-}
-
-bool clast_world_part_present(const clast_world *w, int index) {
-    return w->parts[index].present;
-}
-clast_vec3 clast_world_part_offset(const clast_world *w, int index) {
-    return w->parts[index].offset;
 }
 
 int clast_world_shape_count(const clast_world *w) {

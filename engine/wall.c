@@ -1,24 +1,6 @@
-/* wall.c - planes and plates, grouped in parts that move as the scene prescribes. */
+/* wall.c - planes and plates, and how they follow their parts. */
 #include "engine/geometry.h"
-
-int clast_part_add(clast_world *w, const clast_part_def *def) {
-    CLAST_ASSERT(w && def && !w->prepared);
-    const char *name = def->name ? def->name : "?";
-    if (!isfinite(v3_dot(def->velocity, def->velocity)))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: velocity is not finite", name), -1;
-    if (isnan(def->move_from) || isnan(def->removed_at))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: a time is not a number", name), -1;
-    if (def->move_until != 0 && !(def->move_until > def->move_from))
-        return world_fail(w, CLAST_ERR_ARGUMENT, "part %s: move_until is not after move_from",
-                          name),
-               -1;
-    int n = w->part_count;
-    w->parts = memory_grow(w, w->parts, (size_t)n, (size_t)n + 1, sizeof *w->parts);
-    w->parts[n] = (part){.name = memory_text(w, def->name), .def = *def, .present = true};
-    w->parts[n].def.name = w->parts[n].name;
-    w->part_count++;
-    return n;
-}
+#include "engine/part.h"
 
 static const char *fault_of(const clast_world *w, int part_index, const clast_wall_def *d) {
     if (part_index < 0 || part_index >= w->part_count) return "belongs to no part";
@@ -113,31 +95,82 @@ bool wall_box(const wall *l, vec3 *low, vec3 *high) {
     return true;
 }
 
-/* Seconds that a part has been moving until t. */
-static double moving_time(const clast_part_def *d, double t) {
-    double until = d->move_until > 0 && d->move_until < t ? d->move_until : t;
-    return until > d->move_from ? until - d->move_from : 0;
+/* ---- levers ----------------------------------------------------------------------------------
+ * What the lists and the guard need to know of a turn: how far it takes a place of a wall. */
+
+/* m, from a point of the axis to the farthest place where a sphere can be. */
+static double farthest_sphere(const clast_world *w, vec3 pivot) {
+    vec3 low = v3_sub(w->def.domain_min, pivot), high = v3_sub(w->def.domain_max, pivot);
+    vec3 far = v3(fmax(fabs(low.x), fabs(high.x)), fmax(fabs(low.y), fabs(high.y)),
+                  fmax(fabs(low.z), fabs(high.z)));
+    return v3_norm(far) + w->largest_bound;
 }
 
-static bool is_moving(const clast_part_def *d, double t) {
-    return t >= d->move_from && !(d->move_until > 0 && t >= d->move_until);
+/* A plane that turns about its normal stays where it is; another sweeps over its bodies. */
+static void take_lever(const clast_world *w, part *p, const wall *l) {
+    vec3 pivot = p->def.rotation.point;
+    if (l->def.kind == CLAST_WALL_PLANE) {
+        double tilt = v3_norm(v3_cross(l->n, p->axis));
+        p->tilt = fmax(p->tilt, tilt);
+        p->lever = fmax(p->lever, tilt * farthest_sphere(w, pivot));
+        return;
+    }
+    vec3 arm = v3_sub(l->def.point, pivot);
+    vec3 across = v3_sub(arm, v3_scale(v3_dot(arm, p->axis), p->axis));
+    p->reach = fmax(p->reach, v3_norm(across) + l->bound);
+    p->lever = fmax(p->lever, p->reach);
 }
 
-/* Whether its walls have to be put anew. */
-static bool move_part(clast_world *w, part *p, double t) {
-    bool present = !(p->def.removed_at > 0 && t >= p->def.removed_at);
+/* ---- following ------------------------------------------------------------------------------- */
+
+/* Whether its work has to be booked. */
+bool wall_pushes(const clast_world *w, const wall *l) {
+    const part *p = &w->parts[l->part];
+    return p->turns || p->shifts || v3_norm(l->def.belt_velocity) > 0;
+}
+
+/* Which walls a part has, and what stays the same of them. */
+void walls_group(clast_world *w) {
+    for (int i = 0; i < w->part_count; i++) {
+        part *p = &w->parts[i];
+        p->lever = p->tilt = p->reach = 0, p->wall_count = 0;
+        for (int k = 0; k < w->wall_count; k++) p->wall_count += w->walls[k].part == i;
+        memory_release(p->walls);
+        p->walls = memory_grow(w, NULL, 0, (size_t)p->wall_count + 1, sizeof *p->walls);
+        p->wall_count = 0;
+    }
+    for (int k = 0; k < w->wall_count; k++) {
+        wall *l = &w->walls[k];
+        part *p = &w->parts[l->part];
+        p->walls[p->wall_count++] = k;
+        l->u_home = l->u, l->v_home = l->v;
+        l->pushes = wall_pushes(w, l);
+        if (p->turns) take_lever(w, p, l);
+    }
+}
+
+/* Puts a part where it is at that time, with velocities at another; whether its walls have to be
+ * put anew. */
+static bool move_part(clast_world *w, part *p, double time, double velocity_time) {
+    bool present = !(p->def.removed_at > 0 && time >= p->def.removed_at);
     if (present != p->present) w->stale = w->parts_changed = true;
-    p->present = present;
-    vec3 offset = v3_scale(moving_time(&p->def, t), p->def.velocity);
-    vec3 velocity = is_moving(&p->def, t) ? p->def.velocity : v3(0, 0, 0);
-    vec3 step = v3_sub(offset, p->offset), change = v3_sub(velocity, p->velocity);
-    bool still = v3_dot(step, step) == 0 && v3_dot(change, change) == 0 && w->prepared;
-    p->offset = offset, p->velocity = velocity;
-    double way = v3_norm(step);
-    if (way > w->wall_way) w->wall_way = way;
-    return !still;
+    bool running = part_is_running(&p->def, velocity_time);
+    bool was_running = p->running;
+    bool stays = w->prepared && running == was_running && !p->turns && !p->shifts;
+    p->present = present, p->running = running;
+    if (stays) return false;
+    part_place was = p->at, moves = part_at(p, velocity_time);
+    p->at = part_at(p, time);
+    p->at.velocity = moves.velocity, p->at.spin = moves.spin;
+    bool same = v3_norm(v3_sub(p->at.offset, was.offset)) == 0 && p->at.angle == was.angle &&
+                v3_norm(v3_sub(p->at.velocity, was.velocity)) == 0 && p->at.spin == was.spin;
+    if (same && w->prepared && running == was_running) return false;
+    p->wall_way = part_way(p, &was);
+    p->wall_step =
+        v3_norm(v3_sub(p->at.offset, was.offset)) + fabs(p->at.angle - was.angle) * p->reach;
+    if (p->turns) p->turn = q_matrix(part_turn(p, p->at.angle));
+    return true;
 }
-
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 static void put_row(const clast_world *w, double to[3], vec3 a) {
@@ -146,8 +179,11 @@ static void put_row(const clast_world *w, double to[3], vec3 a) {
 }
 
 static void place_row(const clast_world *w, wall_row *r, const wall *l) {
+    const part *p = &w->parts[l->part];
     put_row(w, r->point, l->point);
-    put_row(w, r->motion, l->surface_velocity);
+    put_row(w, r->motion, v3_add(p->at.velocity, l->belt));
+    if (!p->turns) return;
+    put_row(w, r->n, l->n), put_row(w, r->u, l->u), put_row(w, r->v, l->v);
 }
 
 static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
@@ -169,21 +205,50 @@ void walls_make_rows(clast_world *w) {
     for (int i = 0; i < w->wall_count; i++) fill_row(w, &w->wall_rows[i], &w->walls[i]);
 }
 
-/* Puts every part where it is at that time. Positions are functions of time, never sums of steps.
- */
-void walls_move_to(clast_world *w, double time) {
-    bool any = false;
-    w->wall_way = 0;
-    for (int i = 0; i < w->part_count; i++) any |= move_part(w, &w->parts[i], time);
-    for (int i = 0; i < w->wall_count && any; i++) {
-        wall *l = &w->walls[i];
-        const part *p = &w->parts[l->part];
-        l->point = v3_add(l->def.point, p->offset);
-        l->surface_velocity = v3_add(p->velocity, l->def.belt_velocity);
-        if (w->wall_rows) place_row(w, &w->wall_rows[i], l);
+/* Walls stand in the frame of their part. */
+static void place_wall(wall *l, const part *p) {
+    l->point = part_out(p, l->def.point);
+    l->belt = p->running ? part_direction(p, l->def.belt_velocity) : v3(0, 0, 0);
+    if (!p->turns) return;
+    l->n = part_direction(p, l->def.normal);
+    l->u = part_direction(p, l->u_home), l->v = part_direction(p, l->v_home);
+    l->half_box = v3(l->bound, l->bound, l->bound);
+}
+
+static void place_walls(clast_world *w, const part *p) {
+    for (int k = 0; k < p->wall_count; k++) {
+        wall *l = &w->walls[p->walls[k]];
+        place_wall(l, p);
+        if (w->wall_rows) place_row(w, &w->wall_rows[p->walls[k]], l);
     }
 }
 
+static void move_parts(clast_world *w, double time, double velocity_time) {
+    w->wall_way = w->wall_step = 0;
+    for (int i = 0; i < w->part_count; i++) {
+        part *p = &w->parts[i];
+        if (!move_part(w, p, time, velocity_time)) continue;
+        place_walls(w, p);
+        if (!p->present) continue;
+        if (p->wall_way > w->wall_way) w->wall_way = p->wall_way;
+        if (p->wall_step > w->wall_step) w->wall_step = p->wall_step, w->wall_who = i;
+    }
+}
+
+/* Within a step, for a stage of a scheme. */
+void walls_move_to(clast_world *w, double time) {
+    move_parts(w, time, time);
+}
+
+/* To the end of this step. The leapfrog has the velocities of the bodies in the middle of the step,
+ * so it takes those of the walls there: what two surfaces slide is then the change of their places,
+ * to second order. Other schemes have both at its end. */
 void walls_move(clast_world *w) {
-    walls_move_to(w, (double)w->step * w->dt);
+    double time = (double)w->step * w->dt;
+    bool halves = w->def.scheme == CLAST_SCHEME_LEAPFROG && w->step > 0;
+    move_parts(w, time, halves ? time - 0.5 * w->dt : time);
+    for (int i = 0; i < w->part_count; i++) {
+        part *p = &w->parts[i];
+        p->start = p->end, p->end = p->at;
+    }
 }

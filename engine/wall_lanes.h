@@ -13,8 +13,6 @@ typedef struct wall_batch {
     _Alignas(64) double n[4][LANES]; /* and half side along u, m */
     double u[4][LANES];              /* and half side along v, m */
     double v[4][LANES];              /* and rim, m */
-    double motion[4][LANES];         /* m/s, of the surface */
-    double power[LANES];             /* W, on the sphere */
     double look[LANES];              /* 1: ask geometry.h */
 } wall_batch;
 
@@ -49,11 +47,6 @@ LANE_INLINE void wall_overlap_lane(batch *b, int i) {
     double overlap = b->overlap[i];
     b->depth[i] = (real)(overlap > 0 ? overlap : 0);
     b->la[i] = b->ra[i] - 0.5 * overlap, b->lb[i] = 0;
-}
-
-LANE_INLINE void wall_power_lane(const batch *b, wall_batch *l, int i) {
-    l->power[i] = (double)b->f[0][i] * l->motion[0][i] + (double)b->f[1][i] * l->motion[1][i] +
-                  (double)b->f[2][i] * l->motion[2][i];
 }
 
 #endif

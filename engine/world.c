@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "engine/parallel.h"
+#include "engine/part.h"
 #include "engine/world.h"
 
 enum { DEF_MAGIC = 0x434c5354 };
@@ -90,10 +91,10 @@ static void free_scene(clast_world *w) {
         shape *s = &w->shapes[i];
         free(s->name), free(s->centre), free(s->radius), free(s->outline);
     }
-    for (int i = 0; i < w->part_count; i++) free(w->parts[i].name);
+    parts_free(w);
     for (int i = 0; i < w->wall_count; i++)
         free(w->walls[i].name), free(w->walls[i].joined), free(w->walls[i].patch.corner);
-    free(w->materials), free(w->shapes), free(w->parts), free(w->walls), free(w->coefs);
+    free(w->materials), free(w->shapes), free(w->walls), free(w->coefs);
     free(w->wall_rows);
 }
 

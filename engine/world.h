@@ -149,13 +149,41 @@ typedef struct shape {
     double turning; /* kg m2, what rolling friction may bring to rest in one step, per contact */
 } shape;
 
+/* Against t = 0 of a part that has not moved; turned about the axis of its rotation. */
+typedef struct part_place {
+    vec3 offset, velocity; /* m, m/s */
+    double angle, spin;    /* rad, rad/s, about the axis */
+} part_place;
+
+/* What a part does to the bodies, by the forces of one evaluation. Kernel frame. */
+typedef struct part_push {
+    vec3 force;    /* N */
+    double moment; /* N m, about its axis; parts that turn alone */
+    double belt;   /* W, of surfaces that run without motion */
+} part_push;
+
+typedef struct part_sums {
+    exact_sum force[3], moment, belt;
+} part_sums;
+
 typedef struct part {
     char *name;
     clast_part_def def;
-    bool present;
-    vec3 offset, velocity; /* now */
-    double power;          /* W, on the bodies at the last evaluation */
-    double work_total;     /* J, done on the bodies so far */
+    bool present, running;
+    bool turns, shifts; /* ever */
+    vec3 axis;          /* unit */
+    mat3 turn;          /* now, of a part that turns */
+    part_place at;      /* now; velocities at the time that those of the bodies are of */
+    part_place end;     /* at the end of this step */
+    part_place start;   /* at its start */
+    double lever;       /* m: a turn by a radian moves no place of its walls near bodies farther */
+    double tilt;        /* of that, per m of offset: planes alone */
+    double reach;       /* m, of plates and patches from the axis */
+    double wall_way;    /* m, that the lists must allow for the last move */
+    double wall_step;   /* m, that no place of its plates and patches has moved farther by it */
+    int *walls, wall_count;
+    part_push push;    /* of the last evaluation */
+    double work_total; /* J, done on the bodies so far */
 } part;
 
 /* The triangles of a flat piece of a mesh, in the plane of its wall: coordinates along u and v. */
@@ -167,12 +195,14 @@ typedef struct patch {
 typedef struct wall {
     char *name;
     int part;
-    clast_wall_def def;    /* at t = 0 */
-    vec3 u, v, n;          /* plate, patch: sides and normal */
-    vec3 point;            /* now */
-    vec3 surface_velocity; /* now: part and belt */
-    double bound;          /* m, plate, patch: radius about the point that holds it all */
-    vec3 half_box;         /* m, of the box about the point, likewise */
+    clast_wall_def def;  /* at t = 0 */
+    vec3 u, v, n;        /* now; plate, patch: sides and normal */
+    vec3 u_home, v_home; /* the sides in the frame of the part; the normal is that of def */
+    vec3 point;          /* now */
+    vec3 belt;           /* m/s, now */
+    bool pushes;         /* its part moves or it has a belt: its work is booked */
+    double bound;        /* m, plate, patch: radius about the point that holds it all */
+    vec3 half_box;       /* m, of the box about the point, likewise */
     patch patch;
     bool is_rectangle; /* a patch that fills the rectangle of half_side about its point */
     int *joined;       /* plates or patches that share a border with this one */
@@ -186,7 +216,7 @@ typedef struct wall {
  * sphere less that of a wall keeps what stands behind its vector. */
 typedef struct wall_row {
     double point[3], zero;  /* m, now */
-    double motion[3], none; /* m/s, of the surface, now */
+    double motion[3], none; /* m/s, of the surface, now; without what comes by turning */
     double n[3], half_u;    /* m */
     double u[3], half_v;    /* m; endless: a plane, which has one side */
     double v[3], rim;       /* m: nearer to the border another wall may hold the point */
@@ -290,7 +320,7 @@ typedef struct share {
     contact_tally contact_tally;
     body_tally body_tally;
     double way_reach[2], way_contacts[2]; /* m, the two longest, measured by way.c */
-    exact_sum *part_power;                /* W, per part */
+    part_sums *pushes;                    /* per part */
     contact_report *report, *wall_report; /* when asked for, per contact */
 } share;
 
@@ -341,6 +371,8 @@ typedef struct speciality {
     bool spring;   /* tangential force: spring and dashpot, else the dashpot alone */
     bool rolling;  /* rolling friction somewhere */
     bool shared;   /* clumps, whose dashpots are shared */
+    bool turning;  /* some part turns */
+    bool pushing;  /* some part moves or has a belt */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
@@ -408,6 +440,8 @@ struct clast_world {
     double smallest_radius, largest_bound;
     double skin, margin; /* m, of the reach list and of the contact list */
     double wall_way;     /* m, that a part has moved in this step */
+    double wall_step;    /* m, the same of walls with an end */
+    int wall_who;        /* whose wall_step that is */
     way_store way;
     uint64_t steps_reach, steps_contacts; /* step when they were made */
     bool stale;                           /* the reach list is */
@@ -415,7 +449,8 @@ struct clast_world {
     double
         contact_dt; /* s, step that the springs of the current evaluation have been loaded over */
     body_tally found;
-    exact_sum *power_room;
+    part_sums *push_room;
+    sum_scale force_scale, moment_scale, belt_scale; /* of what parts do to bodies */
     ledger ledger;
 
     struct { /* synchronised velocities and centres for readers */
@@ -541,9 +576,11 @@ wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
 void wall_join(clast_world *w, int wall, int other);
 void walls_link(clast_world *w);
 void walls_make_rows(clast_world *w);
+void walls_group(clast_world *w);
 void walls_move(clast_world *w);
 void walls_move_to(clast_world *w, double time);
 bool wall_box(const wall *l, vec3 *low, vec3 *high);
+bool wall_pushes(const clast_world *w, const wall *l);
 
 /* entry.c */
 size_t entry_number_size(const clast_world *w);

@@ -199,10 +199,30 @@ static void mass_properties(void **state) {
 
 static void parts(void **state) {
     (void)state;
-    expect(clast_part_add(w, &(clast_part_def){"ram", {NAN, 0, 0}, 0, 0, 0}), "ram: velocity");
-    expect(clast_part_add(w, &(clast_part_def){"ram", {1, 0, 0}, NAN, 0, 0}), "time");
-    expect(clast_part_add(w, &(clast_part_def){"ram", {1, 0, 0}, 2, 1, 0}), "move_until");
-    expect(clast_part_add(w, &(clast_part_def){"ram", {1, 0, 0}, 0, 0, NAN}), "time");
+    clast_part_def ram = {.name = "ram", .velocity = {NAN, 0, 0}};
+    expect(clast_part_add(w, &ram), "ram: velocity");
+    ram = (clast_part_def){.name = "ram", .move_from = NAN};
+    expect(clast_part_add(w, &ram), "time");
+    ram = (clast_part_def){.name = "ram", .move_from = 2, .move_until = 1};
+    expect(clast_part_add(w, &ram), "move_until");
+    ram = (clast_part_def){.name = "ram", .removed_at = NAN};
+    expect(clast_part_add(w, &ram), "time");
+    ram = (clast_part_def){.name = "ram", .stroke = {.travel = {0.03, 0, 0}}};
+    expect(clast_part_add(w, &ram), "stroke: speed");
+    ram.stroke.speed = 0.01, ram.stroke.pause = -1;
+    expect(clast_part_add(w, &ram), "stroke: pause");
+    ram.stroke.pause = 0, ram.stroke.phase = 1;
+    expect(clast_part_add(w, &ram), "stroke: phase");
+    ram = (clast_part_def){.name = "ram", .oscillation = {.amplitude = {0, 0, 0.01}}};
+    expect(clast_part_add(w, &ram), "oscillation: frequency");
+    ram = (clast_part_def){.name = "ram", .rotation = {.speed = 1}};
+    expect(clast_part_add(w, &ram), "rotation: has no axis");
+    ram.rotation.axis.z = 2, ram.rotation.swing = 0.1;
+    expect(clast_part_add(w, &ram), "rotation: frequency");
+    static const double times[3] = {0, 1, 1};
+    static const clast_vec3 offsets[3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    ram = (clast_part_def){.name = "ram", .table = {3, times, offsets, NULL}};
+    expect(clast_part_add(w, &ram), "times do not rise");
 }
 
 static int wall_of(clast_wall_kind kind, clast_vec3 normal, clast_vec3 side, double half,

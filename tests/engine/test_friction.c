@@ -141,7 +141,8 @@ static carried block_on(clast_vec3 belt, clast_vec3 part_velocity, double move_u
     clast_pair_def pair = pair_of(0.3, 0.4);
     two_materials m = add_materials(s.w, &pair);
     int block = add_triangle(s.w, m.soft, s.radius);
-    s.part = clast_part_add(s.w, &(clast_part_def){"carrier", part_velocity, 0, move_until, 0});
+    s.part = clast_part_add(s.w, &(clast_part_def){.name = "carrier", .velocity = part_velocity,
+                                                   .move_until = move_until});
     clast_wall_add(s.w, s.part, &(clast_wall_def){"plate", CLAST_WALL_PLATE, m.hard, {0, 0, 0},
                                                   {0, 0, 2}, {3, 0, 0}, {5, 5}, belt});
     clast_body_add(s.w, &(clast_body_def){.shape = block, .position = {0, 0, s.radius * 1.01},
@@ -197,7 +198,8 @@ static void lifting_work_is_energy_gained(void **state) {
     clast_pair_def pair = pair_of(0.3, 0.4);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", 0.005, m.soft);
-    int lift = clast_part_add(w, &(clast_part_def){"lift", {0, 0, 0.03}, 0.01, 0.21, 0});
+    int lift = clast_part_add(w, &(clast_part_def){.name = "lift", .velocity = {0, 0, 0.03},
+                                                   .move_from = 0.01, .move_until = 0.21});
     add_plane(w, lift, m.hard, vec(0, 0, 0), vec(0, 0, 1));
     add_body(w, ball, vec(0, 0, 0.005), vec(0, 0, 0), vec(0, 0, 0));
     run_to(w, 0.009);

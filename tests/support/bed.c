@@ -45,10 +45,20 @@ static void add_walls(clast_world *w, int material) {
     int plug = clast_part_add(w, &(clast_part_def){.name = "plug", .removed_at = 0.03});
     plate.name = "plug", plate.point.x = 0, plate.half_side[0] = 0.02;
     demand(clast_wall_add(w, plug, &plate) >= 0, w);
-    int ram = clast_part_add(w, &(clast_part_def){"ram", {0.2, 0, 0}, 0.01, 0.08, 0});
+    int ram = clast_part_add(w, &(clast_part_def){.name = "ram", .velocity = {0.2, 0, 0},
+                                                  .move_from = 0.01, .move_until = 0.08,
+                                                  .stroke = {{0.002, 0, 0}, 0.1, 0.004, 0.3}});
     demand(clast_wall_add(w, ram, &(clast_wall_def){.name = "ram", .kind = CLAST_WALL_PLANE,
                                                     .material = material, .point = {-0.055, 0, 0},
                                                     .normal = {1, 0, 0}}) >= 0, w);
+    clast_part_def turns = {.name = "paddle",
+                            .oscillation = {{0.001, 0, 0.001}, 40, 0.2},
+                            .rotation = {{0.005, 0, 0.028}, {0, 1, 0}, -6, 0.2, 25, 0.1}};
+    int paddle = clast_part_add(w, &turns);
+    plate = (clast_wall_def){.name = "blade", .kind = CLAST_WALL_PLATE, .material = material,
+                             .point = {0.005, 0, 0.028}, .normal = {1, 0, 0}, .side = {0, 0, 1},
+                             .half_side = {0.006, 0.03}};
+    demand(clast_wall_add(w, paddle, &plate) >= 0, w);
 }
 
 static clast_world *new_world_of(const bed_wish *wish) {

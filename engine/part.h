@@ -1,0 +1,50 @@
+/* part.h - where a part is: its frame, in which its walls never move. Private to engine/. */
+#ifndef CLAST_ENGINE_PART_H
+#define CLAST_ENGINE_PART_H
+
+#include "engine/world.h"
+
+/* part.c */
+part_place part_at(const part *p, double time);
+bool part_is_running(const clast_part_def *d, double time);
+quat part_turn(const part *p, double angle);
+double part_speed_bound(const part *p, double reach);
+bool part_is_flat(const clast_world *w, const part *p);
+void parts_free(clast_world *w);
+
+/* Directions and places from the frame of the part, where walls stand as at t = 0 of a part that
+ * has not moved, to the world now; and back. */
+static inline vec3 part_direction(const part *p, vec3 a) {
+    return p->turns ? m3_apply(&p->turn, a) : a;
+}
+
+static inline vec3 part_direction_back(const part *p, vec3 a) {
+    return p->turns ? m3_apply_transposed(&p->turn, a) : a;
+}
+
+static inline vec3 part_out(const part *p, vec3 x) {
+    if (!p->turns) return v3_add(x, p->at.offset);
+    vec3 arm = m3_apply(&p->turn, v3_sub(x, p->def.rotation.point));
+    return v3_add(v3_add(p->def.rotation.point, p->at.offset), arm);
+}
+
+static inline vec3 part_in(const part *p, vec3 x) {
+    vec3 moved = v3_sub(x, p->at.offset);
+    if (!p->turns) return moved;
+    vec3 arm = m3_apply_transposed(&p->turn, v3_sub(moved, p->def.rotation.point));
+    return v3_add(p->def.rotation.point, arm);
+}
+
+/* m that the lists must allow for its walls since it was there. */
+static inline double part_way(const part *p, const part_place *was) {
+    double turn = fabs(p->at.angle - was->angle);
+    return v3_norm(v3_sub(p->at.offset, was->offset)) +
+           turn * (p->lever + p->tilt * v3_norm(p->at.offset));
+}
+
+/* Where its axis stands now. */
+static inline vec3 part_pivot(const part *p) {
+    return v3_add(p->def.rotation.point, p->at.offset);
+}
+
+#endif
