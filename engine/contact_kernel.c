@@ -564,43 +564,19 @@ LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
 
 /* ---- walls and readers ----------------------------------------------------------------------- */
 
-/* N m, about the axis of a part that turns: of its force on a body and of the couple there. */
-static double moment_of(const pass *p, const part *of, size_t at, int i) {
-    const clast_world *w = p->w;
-    const batch *b = &p->b;
-    size_t sphere = (size_t)p->list->a[at];
-    const centre_row *c = &w->rows.centre[sphere];
-    vec3 arm = v3_sub(v3(c->x, c->y, c->z), to_kernel(w, part_pivot(of)));
-    if (p->need.clumps) {
-        const double *out = w->rows.arm[sphere].arm;
-        arm = v3_sub(arm, v3(out[0], out[1], out[2]));
-    }
-    vec3 moment = v3_cross(arm, v3((double)b->f[0][i], (double)b->f[1][i], (double)b->f[2][i]));
-    if (p->need.tangent || p->need.clumps) {
-        double z = (double)b->ta[2][i];
-        moment.z += z;
-        if (!p->need.flat) moment.x += (double)b->ta[0][i], moment.y += (double)b->ta[1][i];
-    }
-    return v3_dot(to_kernel(w, of->axis), moment);
-}
-
 /* What parts with a moving surface do to the bodies. */
 static void tally_pushes(pass *p, size_t begin, int count) {
     const clast_world *w = p->w;
     const batch *b = &p->b;
+    bool flat = p->need.flat, couples = p->need.tangent || p->need.clumps;
     for (int i = 0; i < count; i++) {
         size_t at = begin + (size_t)i;
         const wall *l = &w->walls[p->list->b[at]];
         if (!l->pushes || !(b->overlap[i] > 0)) continue;
-        part_sums *s = &p->s->pushes[l->part];
-        vec3 belt = to_kernel(w, l->belt), f = {0, 0, 0};
-        f = v3((double)b->f[0][i], (double)b->f[1][i], p->need.flat ? 0 : (double)b->f[2][i]);
-        sum_add(&s->force[0], &w->force_scale, f.x);
-        sum_add(&s->force[1], &w->force_scale, f.y);
-        sum_add(&s->force[2], &w->force_scale, f.z);
-        sum_add(&s->belt, &w->belt_scale, v3_dot(f, belt));
-        const part *of = &w->parts[l->part];
-        if (of->turns) sum_add(&s->moment, &w->moment_scale, moment_of(p, of, at, i));
+        vec3 f = v3((double)b->f[0][i], (double)b->f[1][i], flat ? 0 : (double)b->f[2][i]);
+        vec3 couple = {0, 0, couples ? (double)b->ta[2][i] : 0};
+        if (couples && !flat) couple.x = (double)b->ta[0][i], couple.y = (double)b->ta[1][i];
+        part_add_push(w, &p->s->pushes[l->part], l, (size_t)p->list->a[at], f, couple);
     }
 }
 

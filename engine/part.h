@@ -47,4 +47,24 @@ static inline vec3 part_pivot(const part *p) {
     return v3_add(p->def.rotation.point, p->at.offset);
 }
 
+/* Adds what a wall does to a body at that sphere: the force (N) and the couple about the centre of
+ * mass (N m). Kernel frame. */
+static inline void part_add_push(const clast_world *w, part_sums *s, const wall *l, size_t sphere,
+                                 vec3 force, vec3 couple) {
+    sum_add(&s->force[0], &w->force_scale, force.x);
+    sum_add(&s->force[1], &w->force_scale, force.y);
+    sum_add(&s->force[2], &w->force_scale, force.z);
+    sum_add(&s->belt, &w->belt_scale, v3_dot(force, to_kernel(w, l->belt)));
+    const part *p = &w->parts[l->part];
+    if (!p->turns) return;
+    const centre_row *c = &w->rows.centre[sphere];
+    vec3 arm = v3_sub(v3(c->x, c->y, c->z), to_kernel(w, part_pivot(p)));
+    if (w->special.clumps) {
+        const double *out = w->rows.arm[sphere].arm;
+        arm = v3_sub(arm, v3(out[0], out[1], out[2]));
+    }
+    vec3 moment = v3_add(v3_cross(arm, force), couple);
+    sum_add(&s->moment, &w->moment_scale, v3_dot(to_kernel(w, p->axis), moment));
+}
+
 #endif
