@@ -35,10 +35,10 @@ shape_mass shape_mass_of(const shape_moments *m, double doubtful, double reach) 
 
 /* ---- principal axes -------------------------------------------------------------------------- */
 
-static bool is_diagonal(const shape_mass *mass, double share) {
-    double limit = share * largest_moment(mass);
+/* Largest product of inertia, of the largest moment. */
+static double skewness(const shape_mass *mass) {
     const double(*i)[3] = mass->inertia;
-    return fabs(i[0][1]) <= limit && fabs(i[1][2]) <= limit && fabs(i[2][0]) <= limit;
+    return fmax(fabs(i[0][1]), fmax(fabs(i[1][2]), fabs(i[2][0]))) / largest_moment(mass);
 }
 
 static void solve(const shape_mass *mass, double axis[3][3], double moment[3]) {
@@ -77,31 +77,40 @@ static double determinant(double m[3][3]) {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-static void make_equal(double moment[3], double share) {
-    double largest = fmax(moment[0], fmax(moment[1], moment[2]));
+/* Returns the most that a moment was changed by, of the largest. */
+static double make_equal(double moment[3], double share) {
+    double largest = fmax(moment[0], fmax(moment[1], moment[2])), most = 0;
     for (int i = 0; i < 3; i++)
-        for (int j = i + 1; j < 3; j++)
-            if (fabs(moment[i] - moment[j]) <= share * largest) moment[j] = moment[i];
+        for (int j = i + 1; j < 3; j++) {
+            double apart = fabs(moment[i] - moment[j]) / largest;
+            if (apart <= share) moment[j] = moment[i], most = fmax(most, apart);
+        }
+    return most;
+}
+
+static void turn_to_axes(const shape_mass *mass, shape_frame *frame) {
+    double axis[3][3], moment[3];
+    solve(mass, axis, moment);
+    const int *order = nearest_order(axis);
+    for (int k = 0; k < 3; k++) {
+        frame->moment[k] = moment[order[k]];
+        double sign = axis[order[k]][k] < 0 ? -1 : 1;
+        for (int i = 0; i < 3; i++) frame->axis[k][i] = sign * axis[order[k]][i];
+    }
+    if (determinant(frame->axis) < 0)
+        for (int i = 0; i < 3; i++) frame->axis[2][i] = -frame->axis[2][i];
 }
 
 shape_frame shape_principal(const shape_mass *mass) {
     SHAPE_ASSERT(mass && mass->volume > 0);
-    double share = fmax(1e-9, 2 * mass->inertia_bound);
+    const double rounding = 1e-14; /* of the eigenvalues */
+    double share = fmax(1e-9, 2 * mass->inertia_bound), skew = skewness(mass);
     shape_frame frame = {.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     for (int k = 0; k < 3; k++) frame.moment[k] = mass->inertia[k][k];
-    if (!is_diagonal(mass, share)) {
-        double axis[3][3], moment[3];
-        solve(mass, axis, moment);
-        const int *order = nearest_order(axis);
-        for (int k = 0; k < 3; k++) {
-            frame.moment[k] = moment[order[k]];
-            double sign = axis[order[k]][k] < 0 ? -1 : 1;
-            for (int i = 0; i < 3; i++) frame.axis[k][i] = sign * axis[order[k]][i];
-        }
-        if (determinant(frame.axis) < 0)
-            for (int i = 0; i < 3; i++) frame.axis[2][i] = -frame.axis[2][i];
-    }
-    make_equal(frame.moment, share);
+    if (skew > share) turn_to_axes(mass, &frame), skew = rounding;
+    double equalled = make_equal(frame.moment, share);
+    /* turned by axes that are off, an entry is off by up to three entries of the tensor */
+    frame.bound = 3 * mass->inertia_bound + fmax(skew, equalled);
     return frame;
 }
 

@@ -33,10 +33,14 @@ void shape_second_add(double second[3][3], double s, shape_vec a, shape_vec b);
 typedef struct shape_frame {
     double axis[3][3]; /* rows: the principal axes as x, y, z of the body; a rotation */
     double moment[3];  /* m5, about them */
+    double bound;      /* no moment and no product of inertia about them is off by more, relative
+                          to the largest: that of the mass, and what was left out or made equal */
 } shape_frame;
 
-/* Principal axes, each taken as the axis of the body that it is nearest to, so that an aligned body
- * is not turned at all. Moments that agree within the bound are made equal. */
+/* Principal axes, each taken as the axis of the body that it is nearest to. Products of inertia
+ * below twice the mass's bound (or 1e-9, for masses that state less) are left out, so that an
+ * aligned body is not turned at all, and moments that agree within it are made equal; how much that
+ * was is in the bound of the frame. */
 shape_frame shape_principal(const shape_mass *mass);
 
 /* The spheres as seen from the frame with its origin at `centre`. */

@@ -89,6 +89,8 @@ static void append_level(scene_buffer *out, const shape_sheet *s, const shape_le
                  "    # volume: union %.7g m3 (within %.1e), solid %.7g m3; mass from the %s\n",
                  c->as_union.volume, c->as_union.volume_bound, c->as_solid.volume,
                  s->from == SHAPE_MASS_SOLID ? "solid" : "union");
+    scene_append(out, "    # moments about the principal axes within %.1e of the largest\n",
+                 c->frame.bound);
     scene_append(out, "    material: %s\n", s->material);
     scene_append(out, "    mass: %.17g kg\n", rho * c->volume);
     scene_append(out, "    inertia: [%.17g kg m2, %.17g kg m2, %.17g kg m2]\n", rho * moment[0],

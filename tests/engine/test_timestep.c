@@ -276,14 +276,34 @@ static void a_clump_that_sticks_by_brute_force(void **state) {
 /* ---- chains ---------------------------------------------------------------------------------- */
 
 enum { CHAIN = 10 };
+static const double CHAIN_RADIUS = 0.005;
 
 typedef struct press {
     clast_world *world;
     double mass, k; /* of the chain, of one contact */
 } press;
 
-/* Ten touching spheres, pressed between two plates along their whole length. */
-static press press_chain(double step) {
+/* Of ten spheres in a row `pitch` apart, by slices across the row, which is along x. */
+static clast_shape_def chain_of(double pitch, int material) {
+    enum { SLICES = 20000 };
+    const double r = CHAIN_RADIUS, density = 1130, half = 0.5 * (CHAIN - 1) * pitch + r;
+    clast_shape_def d = {.name = "chain", .material = material, .spheres = CHAIN};
+    for (int i = 0; i < SLICES; i++) {
+        double x = half * ((2 * i + 1.0) / SLICES - 1), nearest = INFINITY;
+        for (int k = 0; k < CHAIN; k++)
+            nearest = fmin(nearest, fabs(x - pitch * (k - 0.5 * (CHAIN - 1))));
+        double rho2 = fmax(0, r * r - nearest * nearest),
+               m = density * PI * rho2 * 2 * half / SLICES;
+        d.mass += m;
+        d.inertia.x += 0.5 * m * rho2;
+        d.inertia.y += m * (0.25 * rho2 + x * x);
+    }
+    d.inertia.z = d.inertia.y;
+    return d;
+}
+
+/* Pressed between two plates along its whole length. */
+static press press_chain(double pitch, double step) {
     press p = {.k = 310};
     clast_world_def def = bare_def(CLAST_LAW_LINEAR);
     def.contact_resolution = 5, def.time_step = step, def.guards = CLAST_GUARD_REPORT;
@@ -291,11 +311,13 @@ static press press_chain(double step) {
     clast_pair_def pair = pair_of(1, 0);
     pair.stiffness = p.k;
     two_materials m = add_materials(p.world, &pair);
-    double r = 0.005, radius[CHAIN];
+    double r = CHAIN_RADIUS, radius[CHAIN];
     clast_vec3 centre[CHAIN];
-    for (int i = 0; i < CHAIN; i++) radius[i] = r, centre[i] = vec(r * (2 * i - CHAIN + 1), 0, 0);
-    int chain = clast_shape_add(
-        p.world, &(clast_shape_def){"chain", m.soft, CHAIN, centre, radius, 0, {0, 0, 0}, 0, NULL});
+    for (int i = 0; i < CHAIN; i++)
+        radius[i] = r, centre[i] = vec(pitch * (i - 0.5 * (CHAIN - 1)), 0, 0);
+    clast_shape_def d = chain_of(pitch, m.soft);
+    d.centre = centre, d.radius = radius;
+    int chain = clast_shape_add(p.world, &d);
     int part = clast_part_add(p.world, &(clast_part_def){.name = "press"});
     add_plane(p.world, part, m.hard, vec(0, 0, -0.9 * r), vec(0, 0, 1));
     add_plane(p.world, part, m.hard, vec(0, 0, 0.9 * r), vec(0, 0, -1));
@@ -319,20 +341,47 @@ static double excursion(clast_world *w) {
  * square root of 20 contacts on it: beyond 2. The engine knows that ten touch at once. */
 static void a_chain_is_lighter_than_its_mass(void **state) {
     (void)state;
-    press p = press_chain(0);
+    const double r = CHAIN_RADIUS;
+    press p = press_chain(2 * r, 0);
     double alone = PI * sqrt(p.mass / p.k), inertia = 0;
     for (int i = 0; i < CHAIN; i++)
-        inertia += p.mass / CHAIN * (0.4 + pow(2 * i - CHAIN + 1, 2)) * 0.005 * 0.005;
+        inertia += p.mass / CHAIN * (0.4 + pow(2 * i - CHAIN + 1, 2)) * r * r;
     clast_plan plan = clast_world_plan(p.world);
-    double turning = 330 * 0.005 * 0.005 / inertia; /* sum of the arms squared, over I */
-    CHECK_BELOW(turning, CHAIN / p.mass);           /* so the motion of the centre counts */
+    double turning = 330 * r * r / inertia; /* sum of the arms squared, over I */
+    CHECK_BELOW(turning, CHAIN / p.mass);   /* so the motion of the centre counts */
     CHECK_CLOSE(plan.contact_time, PI * sqrt(0.5 * p.mass / CHAIN / p.k), 1e-12);
     CHECK_CLOSE(plan.time_step, plan.contact_time / 5, 1e-12);
     CHECK_BELOW(excursion(p.world), 1e-5);
     clast_world_free(p.world);
-    p = press_chain(alone / 5);
+    p = press_chain(2 * r, alone / 5);
     CHECK_BELOW(1e-4, excursion(p.world));
     clast_world_free(p.world);
+}
+
+/* m, of a chain of overlapping spheres at that step. */
+static double overlapping_excursion(double step) {
+    press p = press_chain(0.4 * CHAIN_RADIUS, step);
+    double most = excursion(p.world);
+    clast_world_free(p.world);
+    return most;
+}
+
+/* Touching spheres bear the chain as they would bear themselves: each has its own mass on its own
+ * contact. Overlapping ones share less mass among as many contacts, so the limit of one sphere with
+ * the mass of a sphere is too large, between the plates as elsewhere. */
+static void overlapping_spheres_have_less_mass_each(void **state) {
+    (void)state;
+    const double r = CHAIN_RADIUS, sphere = 1130 * 4.0 / 3 * PI * r * r * r;
+    press p = press_chain(0.4 * r, 0);
+    double limit = 2 / sqrt(2 * CHAIN * p.k / p.mass), of_sphere = 2 / sqrt(2 * p.k / sphere);
+    CHECK_BELOW(1.5 * limit, of_sphere);
+    /* two chains that meet are foreseen: as stiff as one between two plates */
+    CHECK_CLOSE(clast_world_plan(p.world).critical_step, limit, 1e-12);
+    CHECK_BELOW(excursion(p.world), 1e-5);
+    clast_world_free(p.world);
+    CHECK_BELOW(overlapping_excursion(0.95 * limit), 1e-5);
+    CHECK_BELOW(1e-4, overlapping_excursion(1.05 * limit));
+    CHECK_BELOW(1e-4, overlapping_excursion(0.95 * of_sphere));
 }
 
 /* One sphere at the end of a lever: 1/m + a^2 / I, and in a plane about its axis alone. */
@@ -387,5 +436,6 @@ TEST_MAIN(cmocka_unit_test(rayleigh_steps_of_the_chains),
           cmocka_unit_test(the_automatic_step_keeps_below_the_limit),
           cmocka_unit_test(a_clump_that_sticks_by_brute_force),
           cmocka_unit_test(a_chain_is_lighter_than_its_mass),
+          cmocka_unit_test(overlapping_spheres_have_less_mass_each),
           cmocka_unit_test(an_arm_makes_a_contact_lighter),
           cmocka_unit_test(time_is_counted_not_summed))
