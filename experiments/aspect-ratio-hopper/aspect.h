@@ -214,6 +214,9 @@ typedef struct ratio_at {
 } ratio_at;
 ratio_at ratios_of(const frame *f, const aspect_case *c);
 
+/* Angle of the x axis of a body in the plane, rad, from the horizontal, upwards; q: w x y z. */
+double body_angle(const double q[4]);
+
 typedef struct track {
     int count;
     double time[TRACK_MAX], x[TRACK_MAX], z[TRACK_MAX], angle[TRACK_MAX], vx[TRACK_MAX];

@@ -26,8 +26,7 @@ static size_t place_of(const frame *f, uint32_t id) {
     return i;
 }
 
-/* Angle of the body's x axis in the plane, from the horizontal, upwards. */
-static double angle_of(const double *q) {
+double body_angle(const double q[4]) {
     double x = 1 - 2 * (q[2] * q[2] + q[3] * q[3]), z = 2 * (q[1] * q[3] - q[0] * q[2]);
     return atan2(z, x);
 }
@@ -42,7 +41,7 @@ static void add_frame(track *t, const frame *f, size_t i) {
     if (t->count == TRACK_MAX) return;
     const double *p = &f->position[3 * i];
     int k = t->count++;
-    double angle = angle_of(&f->orientation[4 * i]);
+    double angle = body_angle(&f->orientation[4 * i]);
     t->time[k] = f->time, t->x[k] = p[0], t->z[k] = p[2], t->vx[k] = f->velocity[3 * i];
     t->angle[k] = k > 0 ? unwound(angle, t->angle[k - 1]) : angle;
 }

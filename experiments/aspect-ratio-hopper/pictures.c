@@ -10,7 +10,7 @@ enum { FILM_FRAMES = 400 };
 #define FASTEST 6.0 /* m/s, top of the scale of speed: the fall through the chamber */
 
 /* Shown is what lies between these heights, in widths of the hopper. */
-static const double BED[2] = {-0.03, 2.25}, ALL[2] = {-2.02, 2.25}, LOWER[2] = {-0.05, 0.9};
+static const double BED[2] = {-0.03, 3.2}, ALL[2] = {-2.02, 3.2}, LOWER[2] = {-0.05, 1.0};
 
 /* The frame of each main shape that is nearest in time; NULL where there is no run. */
 static void take_frames(const aspect_study *s, double time, bool at_rest,
@@ -96,16 +96,16 @@ static int film(const aspect_study *s, sheet sheet_of, const char *name) {
 }
 
 int aspect_pictures(const aspect_study *s) {
-    sheet base = {.panels = MAIN_SHAPES, .half_width = s->size->half_width, .panel_px = 420};
+    sheet base = {.panels = MAIN_SHAPES, .half_width = s->size->half_width, .panel_px = 400};
     for (int k = 0; k < MAIN_SHAPES; k++) base.titles[k] = chain_of(k).name;
     sheet beds = base, forces = base, speed = base, bands = base, turned = base;
-    beds.low = BED[0], beds.high = BED[1], beds.colour = SHEET_BODY;
+    beds.low = BED[0], beds.high = BED[1], beds.colour = SHEET_AXIS;
     forces.low = BED[0], forces.high = BED[1], forces.colour = SHEET_FORCES;
     speed.low = ALL[0], speed.high = ALL[1], speed.colour = SHEET_SPEED, speed.fastest = FASTEST;
-    speed.panel_px = 340;
+    speed.panel_px = 290;
     bands.low = LOWER[0], bands.high = LOWER[1], bands.colour = SHEET_BANDS, bands.panel_px = 480;
     turned = bands;
-    turned.low = ALL[0], turned.high = ALL[1], turned.panel_px = 340;
+    turned.low = ALL[0], turned.high = ALL[1], turned.panel_px = 290;
     beds.closed = forces.closed = true;
     int bad = still(s, beds, 1e9, true, "beds") | still(s, forces, 1e9, true, "forces");
     bad |= still(s, speed, SNAPSHOT, false, "snapshots");

@@ -72,7 +72,7 @@ void studio_free(studio *o) {
 
 typedef struct shown {
     double *x, *y, *z, *speed;
-    int32_t *body, *id;
+    int32_t *body;
     render_rgb *of_body, *colour;
 } shown;
 
@@ -89,6 +89,23 @@ static double fastest_above(const frame *f, const double *speed) {
     return most;
 }
 
+/* Directions of an axis come round after half a turn. */
+static const render_rgb AXIS[4] = {{68, 119, 170}, {90, 170, 100}, {232, 176, 60}, {190, 75, 110}};
+static const char *const AXIS_NAME[4] = {"0°", "45°", "90°", "135°"};
+
+static uint8_t mix(uint8_t a, uint8_t b, double t) {
+    return (uint8_t)lround(a + t * (b - a));
+}
+
+static render_rgb axis_colour(double angle) {
+    double turn = angle / 3.14159265358979 - floor(angle / 3.14159265358979);
+    double at = 4 * turn;
+    int k = (int)at % 4;
+    const render_rgb *a = &AXIS[k], *b = &AXIS[(k + 1) % 4];
+    double t = at - floor(at);
+    return (render_rgb){mix(a->r, b->r, t), mix(a->g, b->g, t), mix(a->b, b->b, t)};
+}
+
 static void colour_bodies(const studio *o, const frame *f, shown *s) {
     switch (o->sheet.colour) {
     case SHEET_SPEED:
@@ -100,8 +117,10 @@ static void colour_bodies(const studio *o, const frame *f, shown *s) {
     case SHEET_FORCES:
         for (size_t i = 0; i < f->bodies; i++) s->of_body[i] = STONE;
         break;
-    case SHEET_BODY:
-        render_colour_bodies(s->id, f->bodies, s->of_body);
+    case SHEET_AXIS:
+        for (size_t i = 0; i < f->bodies; i++)
+            s->of_body[i] =
+                f->spheres > f->bodies ? axis_colour(body_angle(&f->orientation[4 * i])) : STONE;
         break;
     }
 }
@@ -113,14 +132,12 @@ static shown shown_of(const studio *o, const frame *f) {
                .z = room(f->spheres, sizeof *s.z),
                .speed = room(f->bodies, sizeof *s.speed),
                .body = room(f->spheres, sizeof *s.body),
-               .id = room(f->bodies, sizeof *s.id),
                .of_body = room(f->bodies, sizeof *s.of_body),
                .colour = room(f->spheres, sizeof *s.colour)};
     size_t place = 0;
     for (size_t i = 0; i < f->bodies; i++) {
         const double *v = &f->velocity[3 * i];
         s.speed[i] = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        s.id[i] = (int32_t)f->id[i];
     }
     for (size_t i = 0; i < f->spheres; i++) {
         while (f->id[place] != f->sphere_body[i]) place++;
@@ -134,13 +151,13 @@ static shown shown_of(const studio *o, const frame *f) {
 
 static void shown_free(shown *s) {
     free(s->x), free(s->y), free(s->z), free(s->speed);
-    free(s->body), free(s->id), free(s->of_body), free(s->colour);
+    free(s->body), free(s->of_body), free(s->colour);
 }
 
 /* Sides, the two parts of the bottom, the ground of the chamber. */
 static render_lines hopper_lines(const studio *o, double from[3 * HOPPER_LINES],
                                  double to[3 * HOPPER_LINES]) {
-    const double h = o->sheet.half_width, low = -4 * h, high = 4.5 * h, slot = ORIFICE * h;
+    const double h = o->sheet.half_width, low = -4 * h, high = 6.5 * h, slot = ORIFICE * h;
     const double ground = o->sheet.closed ? 0 : low;
     const double at[HOPPER_LINES][4] = {{-h, low, -h, high},
                                         {h, low, h, high},
@@ -227,7 +244,7 @@ static void paste(studio *o, int k) {
 
 static render_overlay labels(const studio *o, double time) {
     const sheet *s = &o->sheet;
-    render_overlay all = {.time_shown = s->colour != SHEET_BODY && s->colour != SHEET_FORCES,
+    render_overlay all = {.time_shown = s->colour != SHEET_AXIS && s->colour != SHEET_FORCES,
                           .time_s = time,
                           .time_decimals = 2,
                           .text_px = 24,
@@ -237,6 +254,13 @@ static render_overlay labels(const studio *o, double time) {
         all.bar_shown = true, all.bar_map = RENDER_VIRIDIS, all.bar_high = s->fastest;
         snprintf(all.bar_title, sizeof all.bar_title, "speed");
         snprintf(all.bar_unit, sizeof all.bar_unit, "m/s");
+    } else if (s->colour == SHEET_AXIS) {
+        all.legend_count = 4;
+        snprintf(all.legend_title, sizeof all.legend_title, "direction");
+        for (int k = 0; k < 4; k++) {
+            all.legend[k].colour = AXIS[k];
+            snprintf(all.legend[k].label, sizeof all.legend[k].label, "%s", AXIS_NAME[k]);
+        }
     } else if (s->colour == SHEET_BANDS) {
         static const char *const BANDS[3] = {"> 70 %", "30–70 %", "< 30 %"};
         all.legend_count = 3;

@@ -12,7 +12,7 @@
 enum { PANELS_MAX = 4 };
 
 typedef enum sheet_colour {
-    SHEET_BODY,
+    SHEET_AXIS,   /* direction of the chains; spheres have none */
     SHEET_SPEED,  /* viridis, from 0 to `fastest` */
     SHEET_BANDS,  /* of the fastest above the bottom, as A00 Fig. 5.18 */
     SHEET_FORCES, /* contacts as lines, as wide as their normal force; the frames must have them */

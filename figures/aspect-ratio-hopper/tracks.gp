@@ -2,14 +2,14 @@
 # counterpart: A00 Fig. 5.11
 # needs: tracks.csv
 # caption: From their places at rest (dots) through the orifice; left, centre and right column, colour by height. One run per shape.
-width = 17; height = 8.6
+width = 17; height = 11.4
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 array tone[3] = ['#1a1a1a', '#009E73', '#D55E00']
 set multiplot
 set size ratio -1
 unset grid
-set xrange [-side:side]; set yrange [-0.9 * side:3.4 * side]
+set xrange [-side:side]; set yrange [-0.9 * side:4.8 * side]
 set xtics (sprintf('%g', -0.5 * side) -0.5 * side, '0' 0, sprintf('%g', 0.5 * side) 0.5 * side); set ytics side
 set xlabel 'x (cm)'
 slot = 0.7 * side
