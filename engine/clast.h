@@ -348,12 +348,23 @@ typedef struct clast_mesh_def {
     const clast_vec3 *vertex; /* m */
     const int32_t *triangle;  /* three indices each; a vertex that two triangles share joins them */
     clast_vec3 belt_velocity; /* m/s */
+    double smooth_angle;      /* rad, < pi/2: flat pieces that meet at a smaller one are one surface;
+                                 0 reads as CLAST_SMOOTH_ANGLE, below 0: every piece for itself */
 } clast_mesh_def;
+
+/* 35 degrees: joins the sides of a cylinder of 11 facets and more, the seams that a round nose is
+ * cut into, a steep hopper and its silo; keeps apart the sides of a decagon and of every prism with
+ * fewer, and whatever a user would call an edge. A number between the common 30 and 36, so that no
+ * usual shape hangs on the last bit of its vertices. */
+#define CLAST_SMOOTH_ANGLE 0.6108652381980153
 
 /* A surface of triangles without thickness. Triangles that join and lie in one plane become one
  * wall (a patch) named NAME/0, NAME/1, ...: a sphere feels one contact per patch, whatever the
- * triangles, and an edge or corner only where no face is felt. Returns the number of patches; their
- * walls have the indices before clast_world_wall_count(). A triangle without area is an error. */
+ * triangles, and an edge or corner only where no face is felt. Where patches go on smoothly in each
+ * other it feels one contact with all of them, the deepest, whose history goes along from patch to
+ * patch; places whose normals differ by more than smooth_angle are felt side by side. Returns the
+ * number of patches; their walls have the indices before clast_world_wall_count(). A triangle
+ * without area is an error. */
 int clast_mesh_add(clast_world *w, int part, const clast_mesh_def *def);
 
 typedef struct clast_body_def {
@@ -509,6 +520,7 @@ typedef struct clast_counters {
     size_t pairs;                        /* within the skin */
     size_t candidates;                   /* near enough to be looked at in every step */
     size_t contacts;
+    uint64_t wall_tests; /* boxes and walls looked at to make lists, so far */
     double seconds_walls, seconds_neighbours, seconds_contacts, seconds_bodies, seconds_measure;
     size_t bytes;                            /* held by the engine now */
     double overlap_max;                      /* of the smaller radius, largest so far */

@@ -3,10 +3,9 @@
  * forces into loads. Compiled once per instruction set and precision (CLAST_KERNEL names the copy);
  * the bits are the same for all instruction sets. */
 #include "engine/column_lanes.h"
-#include "engine/geometry.h"
 #include "engine/part.h"
+#include "engine/settle_lanes.h"
 #include "engine/shared_lanes.h"
-#include "engine/wall_lanes.h"
 #ifndef CLAST_SINGLE
 #include "engine/contact_user.h"
 #endif
@@ -28,6 +27,7 @@ typedef struct pass {
     bool with_walls, far; /* far: rows do not fit into the second-level cache */
     bool around;          /* something of "around the law" is needed */
     bool yields, springs, rolls, user;
+    bool facets; /* walls that may hide each other: a sphere's stand in one batch */
     law_need need;
     law_choice choice;
     contact_tally tally;
@@ -292,25 +292,16 @@ static history_lanes history_at(const contact_list *l, size_t begin) {
                            c[3] + begin, c[4] + begin, plastic};
 }
 
-/* What the lanes could not tell. */
-static void look_at_walls(pass *p, size_t begin, int count) {
-    const clast_world *w = p->w;
-    batch *b = &p->b;
-    for (int i = 0; i < count; i++) {
-        if (p->l.look[i] == 0) continue;
-        const centre_row *c = &w->rows.centre[p->list->a[begin + (size_t)i]];
-        const wall *l = &w->walls[p->list->b[begin + (size_t)i]];
-        wall_touch t = touch_of_wall(w, l, from_kernel(w, v3(c->x, c->y, c->z)), c->radius);
-        vec3 n = to_kernel(w, t.normal);
-        b->n[0][i] = n.x, b->n[1][i] = n.y, b->n[2][i] = n.z;
-        b->overlap[i] = t.overlap;
-    }
-}
-
 LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
+    const real *was = (const real *)p->list->column[0] + begin;
+    const sharing *s = &p->sharing;
 #pragma omp simd
-    for (int i = 0; i < padded; i++) wall_lane(&p->b, &p->l, i);
-    look_at_walls(p, begin, count);
+    for (int i = 0; i < padded; i++) wall_lane(&p->b, &p->l, was, i);
+    settling t = {p->w, p->list, p->s->touches, p->mode == CONTACTS_ADVANCE};
+    if (p->facets && s->end - s->begin > LANES)
+        take_touches(&t, t.touch + (begin - s->begin), &p->b, 0, count);
+    else if (p->facets)
+        settle_walls(&t, &p->b, &p->l, begin, count);
 #pragma omp simd
     for (int i = 0; i < padded; i++) wall_overlap_lane(&p->b, i);
 }
@@ -636,12 +627,16 @@ static __attribute__((noinline)) void weigh_ahead(pass *p) {
     join_groups(&p->sharing);
 }
 
-/* Before a batch; groups do not reach beyond the end that it sets. */
-LANE_INLINE void begin_sharing(pass *p, size_t begin) {
+/* Before a batch; groups, and the walls of a sphere, do not reach beyond the end that it sets. */
+LANE_INLINE void begin_block(pass *p, size_t begin, bool shared) {
     sharing *s = &p->sharing;
     if (begin < s->end) return;
-    s->begin = begin, s->end = block_end(p->w, p->list, begin);
-    if (s->end - begin > LANES) weigh_ahead(p);
+    s->begin = begin;
+    s->end = shared ? block_end(p->w, p->list, begin) : sphere_block_end(p->list, begin);
+    if (s->end - begin <= LANES) return;
+    settling t = {p->w, p->list, p->s->touches, p->mode == CONTACTS_ADVANCE};
+    if (p->facets) settle_ahead(&t, s->begin, s->end);
+    if (shared) weigh_ahead(p);
 }
 
 /* Effective masses that make one dashpot of all in a group. */
@@ -677,21 +672,22 @@ static void put_back(const pass *p, size_t from) {
 /* ---- lists ----------------------------------------------------------------------------------- */
 
 LANE_INLINE void run_list(pass *p, law_need need) {
-    bool shared = need.clumps && p->sharing.on;
+    bool shared = need.clumps && p->sharing.on, blocks = shared || p->facets;
     for (size_t begin = 0, next; begin < p->list->count; begin = next) {
-        if (shared) begin_sharing(p, begin);
-        size_t end = shared ? p->sharing.end : p->list->count, left = end - begin;
+        if (blocks) begin_block(p, begin, shared);
+        size_t end = blocks ? p->sharing.end : p->list->count, left = end - begin;
         int count = left < LANES ? (int)left : LANES, padded = padded_of(count);
         next = begin + (size_t)count;
+        bool ahead = blocks && padded > count && next < p->list->count;
         prepare_batch(p, begin, count, padded, need);
         if (shared) share_dashpots(p, begin, count, padded, need);
-        if (shared) set_aside(p, next);
+        if (ahead) set_aside(p, next);
         if (p->user)
             run_user(p, begin, count, padded);
         else
             run_lanes(p, begin, padded, need);
         if (p->around) after_law(p, begin, padded);
-        if (shared) put_back(p, next);
+        if (ahead) put_back(p, next);
         prefetch_piece(p, begin, 4, need);
         tally_lanes(p, padded);
         prefetch_piece(p, begin, 5, need);
@@ -773,11 +769,12 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     p.need = (law_need){law->linear, k->tangent, k->flat, k->clumps, equal};
     p.choice = choice_of(w, mode);
     p.tally = (contact_tally){.contacts = 0};
-    p.list = &s->contacts, p.with_walls = false;
+    p.list = &s->contacts, p.with_walls = p.facets = false;
     p.report = mode == CONTACTS_REPORT ? s->report : NULL;
     run(&p);
     p.need.equal = !k->clumps; /* a wall does not spin and feels no torque */
     p.list = &s->walls, p.with_walls = true, p.far = false;
+    p.facets = k->facets;
     p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
     run(&p);
     s->contact_tally = p.tally;

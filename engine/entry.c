@@ -29,7 +29,7 @@ static double column_at(const clast_world *w, const contact_list *l, int k, size
     return ((const double *)l->column[k])[i];
 }
 
-static void set_column(const clast_world *w, contact_list *l, int k, size_t i, double value) {
+static void set_column(const clast_world *w, const contact_list *l, int k, size_t i, double value) {
     if (w->def.precision == CLAST_PRECISION_MIXED)
         ((float *)l->column[k])[i] = (float)value;
     else
@@ -38,6 +38,11 @@ static void set_column(const clast_world *w, contact_list *l, int k, size_t i, d
 
 bool contact_touches(const clast_world *w, const contact_list *l, size_t i) {
     return column_at(w, l, 0, i) > 0;
+}
+
+/* m, at the last evaluation. */
+double entry_overlap(const clast_world *w, const contact_list *l, size_t i) {
+    return column_at(w, l, 0, i);
 }
 
 static bool name_is_reversed(const clast_world *w, const contact_list *l, size_t i) {
@@ -76,6 +81,14 @@ void entry_push(clast_world *w, contact_list *l, int32_t a, int32_t b, const his
 
 void entry_clear(clast_world *w, contact_list *l, size_t i) {
     for (int k = 0; k < w->history_columns; k++) set_column(w, l, k, i, 0);
+}
+
+/* The history of one entry becomes that of another, and none is left. */
+void entry_hand_over(const clast_world *w, const contact_list *l, size_t to, size_t from) {
+    for (int k = 0; k < w->history_columns; k++) {
+        set_column(w, l, k, to, column_at(w, l, k, from));
+        set_column(w, l, k, from, 0);
+    }
 }
 
 /* a and b change places. */

@@ -10,7 +10,6 @@ typedef struct approach {
     vec3 away;       /* m, from the nearest point to the centre; for planes along +normal */
     double distance; /* m, signed for planes */
     bool inside;
-    bool off_border; /* inside, and not at the rim: no other wall of the mesh holds the point */
 } approach;
 
 static inline double clamp(double x, double limit) {
@@ -103,9 +102,14 @@ static inline flat_way way_from_patch(const patch *p, double s, double t) {
     return best.way;
 }
 
+/* A patch that is no rectangle: half_side is that of the box around it. */
+static inline bool wall_is_uneven(const wall *l) {
+    return l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle;
+}
+
 /* Over a face to rounding: no crack where two triangles of a patch meet. */
 static inline bool is_no_way(const wall *l, flat_way way) {
-    double crack = l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle ? 1e-13 * l->bound : 0;
+    double crack = wall_is_uneven(l) ? 1e-13 * l->bound : 0;
     return fabs(way.s) <= crack && fabs(way.t) <= crack;
 }
 
@@ -114,26 +118,17 @@ static inline double wall_rim(const wall *l) {
     return 1e-9 * l->bound;
 }
 
-/* Nothing of a mesh lies over the inside of one of its patches. */
-static inline bool is_off_border(const wall *l, double s, double t) {
-    double slack = wall_rim(l);
-    return l->is_rectangle && fabs(s) < l->def.half_side[0] - slack &&
-           fabs(t) < l->def.half_side[1] - slack;
-}
-
 static inline approach wall_approach(const wall *l, vec3 centre) {
     vec3 d = v3_sub(centre, l->point);
     double height = v3_dot(d, l->n);
-    if (l->def.kind == CLAST_WALL_PLANE)
-        return (approach){v3_scale(height, l->n), height, true, true};
+    if (l->def.kind == CLAST_WALL_PLANE) return (approach){v3_scale(height, l->n), height, true};
     double s = v3_dot(d, l->u), t = v3_dot(d, l->v);
     flat_way way = {s - clamp(s, l->def.half_side[0]), t - clamp(t, l->def.half_side[1])};
-    if (l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle) way = way_from_patch(&l->patch, s, t);
-    if (is_no_way(l, way))
-        return (approach){v3_scale(height, l->n), fabs(height), true, is_off_border(l, s, t)};
+    if (wall_is_uneven(l)) way = way_from_patch(&l->patch, s, t);
+    if (is_no_way(l, way)) return (approach){v3_scale(height, l->n), fabs(height), true};
     vec3 away =
         v3_add(v3_scale(height, l->n), v3_add(v3_scale(way.s, l->u), v3_scale(way.t, l->v)));
-    return (approach){away, v3_norm(away), false, false};
+    return (approach){away, v3_norm(away), false};
 }
 
 static inline bool are_in_one_plane(const wall *a, const wall *b) {
@@ -146,8 +141,47 @@ static inline bool is_in_box(const wall *l, vec3 p, double more) {
            fabs(p.z - l->point.z) <= l->half_box.z + more;
 }
 
+/* ---- what a sphere feels ---------------------------------------------------------------------
+ * Of all walls that it touches. A wall of a mesh is a flat facet, and a sphere may touch several
+ * that are one surface. */
+
+typedef enum touch_state { TOUCH_UNKNOWN, TOUCH_OWN, TOUCH_BORDER } touch_state;
+
+typedef struct wall_touch {
+    const wall *wall;
+    approach to;
+    vec3 normal;       /* from the wall to the sphere */
+    double overlap;    /* m; <= 0: apart */
+    touch_state state; /* found out when it is asked for (facets.c) */
+    bool hidden;
+} wall_touch;
+
+static inline wall_touch touch_of_wall(const wall *l, vec3 centre, double radius) {
+    approach a = wall_approach(l, centre);
+    wall_touch t = {.wall = l, .to = a, .normal = l->n, .overlap = radius - a.distance};
+    bool behind = l->def.kind != CLAST_WALL_PLANE && v3_dot(a.away, l->n) < 0;
+    if (behind) t.normal = v3_scale(-1, l->n);
+    if (!a.inside) t.normal = v3_scale(1 / a.distance, a.away);
+    return t;
+}
+
+/* The deeper of two; where they are equal, one that no order of walls decides about. */
+static inline bool is_deeper(const wall_touch *a, const wall_touch *b) {
+    if (a->overlap != b->overlap) return a->overlap > b->overlap;
+    if (a->normal.x != b->normal.x) return a->normal.x > b->normal.x;
+    if (a->normal.y != b->normal.y) return a->normal.y > b->normal.y;
+    if (a->normal.z != b->normal.z) return a->normal.z > b->normal.z;
+    return a->wall < b->wall;
+}
+
+/* Facets of one smooth patch whose normals differ by less than its angle are one surface. */
+static inline bool are_one_surface(const wall_touch *a, const wall_touch *b) {
+    return a->wall->smooth >= 0 && a->wall->smooth == b->wall->smooth &&
+           v3_dot(a->normal, b->normal) > a->wall->smooth_cosine;
+}
+
 /* Whether `other`, which holds p, comes nearer to the centre than p close by: its nearest point is
- * not p or, where that is far away since a patch may be bent like a U, one step down the slope and
+ * not p or, where that is far away since a facet may be bent like a U, one step down the slope and
  * back onto the surface ends elsewhere. */
 static inline bool leads_down(const wall *other, vec3 p, vec3 centre, const approach *theirs,
                               double size, double rounding) {
@@ -161,42 +195,21 @@ static inline bool leads_down(const wall *other, vec3 p, vec3 centre, const appr
     return v3_norm(v3_sub(back, p)) > rounding;
 }
 
-/* Where plates or patches share a border or overlap in one plane, one of them is felt: a face
- * before an edge before a corner, and among equals the one that was added first. Two faces in
- * different planes are both felt, and the list has those in one plane first: a face need not look
- * farther. */
-static inline bool is_hidden(const clast_world *w, const wall *l, vec3 centre, const approach *a) {
-    if (a->off_border) return false;
-    vec3 nearest = v3_sub(centre, a->away);
-    for (int i = 0; i < l->joined_count; i++) {
-        const wall *other = &w->walls[l->joined[i]];
-        bool one_plane = are_in_one_plane(l, other);
-        if (a->inside && !one_plane) return false;
-        double size = l->bound + other->bound, rounding = 1e-9 * size;
-        if (!w->parts[other->part].present || !is_in_box(other, nearest, rounding)) continue;
-        if (wall_approach(other, nearest).distance > rounding) continue;
-        approach theirs = wall_approach(other, centre);
-        bool face = theirs.inside && fabs(theirs.distance - a->distance) <= rounding;
-        if (a->inside ? face && other < l : face || other < l) return true;
-        if (!a->inside && leads_down(other, nearest, centre, &theirs, size, rounding)) return true;
-    }
-    return false;
+/* A face before an edge before a corner, and among equals the wall that was added first. Two faces
+ * in different planes are both felt. */
+static inline bool is_border_of(const wall_touch *own, const wall_touch *other, vec3 centre) {
+    const wall *l = own->wall, *m = other->wall;
+    if (own->to.inside && !(other->to.inside && are_in_one_plane(l, m))) return false;
+    double size = l->bound + m->bound, rounding = 1e-9 * size;
+    vec3 nearest = v3_sub(centre, own->to.away);
+    if (!is_in_box(m, nearest, rounding)) return false;
+    if (wall_approach(m, nearest).distance > rounding) return false;
+    bool face = other->to.inside && fabs(other->to.distance - own->to.distance) <= rounding;
+    if (own->to.inside) return face && m < l;
+    return face || m < l || leads_down(m, nearest, centre, &other->to, size, rounding);
 }
 
-typedef struct wall_touch {
-    vec3 normal;    /* from the wall to the sphere */
-    double overlap; /* m; <= 0: apart */
-} wall_touch;
-
-static inline wall_touch touch_of_wall(const clast_world *w, const wall *l, vec3 centre,
-                                       double radius) {
-    approach a = wall_approach(l, centre);
-    wall_touch t = {l->n, radius - a.distance};
-    bool behind = l->def.kind != CLAST_WALL_PLANE && v3_dot(a.away, l->n) < 0;
-    if (behind) t.normal = v3_scale(-1, l->n);
-    if (!a.inside) t.normal = v3_scale(1 / a.distance, a.away);
-    if (t.overlap > 0 && l->joined_count > 0 && is_hidden(w, l, centre, &a)) t.overlap = 0;
-    return t;
-}
+/* facets.c */
+void touches_settle(wall_touch *touch, size_t count, vec3 centre);
 
 #endif

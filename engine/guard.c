@@ -196,21 +196,30 @@ static int complain_of_outside(clast_world *w) {
 
 static double gap_of(const clast_world *w, const contact_place *at) {
     const centre_row *a = &w->rows.centre[at->list->a[at->index]];
-    vec3 centre = v3(a->x, a->y, a->z);
-    if (at->with_wall)
-        return -touch_of_wall(w, &w->walls[at->list->b[at->index]], from_kernel(w, centre),
-                              a->radius)
-                    .overlap;
     const centre_row *b = &w->rows.centre[at->list->b[at->index]];
-    return v3_norm(v3_sub(centre, v3(b->x, b->y, b->z))) - (a->radius + b->radius);
+    vec3 apart = v3_sub(v3(a->x, a->y, a->z), v3(b->x, b->y, b->z));
+    return v3_norm(apart) - (a->radius + b->radius);
+}
+
+/* Of a sphere and a wall that it feels; the touches of the sphere are those of the share. */
+static double wall_overlap(const clast_world *w, const share *s, size_t k, size_t *run) {
+    if (k == 0 || s->walls.a[k] != s->walls.a[k - 1]) {
+        facets_settle(w, &s->walls, k, facets_run_end(&s->walls, k), false, s->touches);
+        *run = k;
+    }
+    const wall_touch *t = &s->touches[k - *run];
+    return t->hidden ? 0 : t->overlap;
 }
 
 /* Contacts of one body with another or with a wall are one fault. */
-static int complain_of_list(clast_world *w, const contact_list *l, bool with_wall, int faults) {
+static int complain_of_list(clast_world *w, const share *s, bool with_wall, int faults) {
+    const contact_list *l = with_wall ? &s->walls : &s->contacts;
     uint32_t last_a = 0, last_b = 0;
+    size_t run = 0;
     for (size_t k = 0; k < l->count; k++) {
         contact_place at = {l, k, with_wall};
-        double overlap = -gap_of(w, &at), small = contact_smaller_radius(w, &at);
+        double overlap = with_wall ? wall_overlap(w, s, k, &run) : -gap_of(w, &at);
+        double small = contact_smaller_radius(w, &at);
         if (!(overlap > w->def.max_overlap * small)) continue;
         contact_record r = record_of(w, l, k, with_wall);
         if (faults > 0 && r.a == last_a && r.b == last_b) continue;
@@ -229,8 +238,8 @@ static int complain_of_list(clast_world *w, const contact_list *l, bool with_wal
 static int complain_of_overlaps(clast_world *w) {
     int faults = 0;
     for (int t = 0; t < w->threads; t++) {
-        faults = complain_of_list(w, &w->shares[t].contacts, false, faults);
-        faults = complain_of_list(w, &w->shares[t].walls, true, faults);
+        faults = complain_of_list(w, &w->shares[t], false, faults);
+        faults = complain_of_list(w, &w->shares[t], true, faults);
     }
     return faults;
 }

@@ -1,11 +1,12 @@
-/* mesh.c - triangles into walls: pieces that lie in one plane become one patch with one plane
- * equation, and patches that share a vertex know each other, so that an edge is felt only where no
- * face is. */
+/* mesh.c - triangles into walls: pieces that lie in one plane become one flat patch (a facet) with
+ * one plane equation, and facets that meet at a small angle become one smooth patch. Which of the
+ * facets that a sphere touches it feels is found out in facets.c. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/geometry.h"
+#include "engine/numbers.h"
 
 /* Triangles whose corners are this close to a plane (of the farthest coordinate) lie in it: twice
  * what single precision, as STL has it, may be off by. No patch is farther from its triangles.
@@ -90,6 +91,10 @@ static int check(clast_world *w, int part_index, const clast_mesh_def *d) {
         return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has no such material", name);
     if (d->triangles < 1)
         return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has no triangles", name);
+    if (!(d->smooth_angle < NUMBER_PI / 2))
+        return world_fail(w, CLAST_ERR_ARGUMENT,
+                          "mesh %s: smooth_angle is %g rad, expected less than a right angle", name,
+                          d->smooth_angle);
     if (!isfinite(v3_norm(d->belt_velocity)))
         return world_fail(w, CLAST_ERR_ARGUMENT, "mesh %s has a belt velocity that is not finite",
                           name);
@@ -375,7 +380,7 @@ static layout layout_along(const mesh *m, const plane *p, const int *next, vec3 
     return f;
 }
 
-/* Sides and point of the wall: those of the rectangle that the patch fills, if it does. */
+/* Sides and point of the wall: those of the rectangle around the patch, which fills it or not. */
 static void set_frame(wall *l, const mesh *m, const plane *p, const int *next) {
     vec3 rim = longest_rim(m, p, next);
     bool flat = v3_dot(rim, rim) > 0;
@@ -383,12 +388,10 @@ static void set_frame(wall *l, const mesh *m, const plane *p, const int *next) {
     double box = (f.high[0] - f.low[0]) * (f.high[1] - f.low[1]);
     l->is_rectangle = flat && fabs(box - p->area) <= 1e-6 * box;
     l->u = f.u, l->v = f.v;
-    if (l->is_rectangle) {
-        vec3 middle = v3_add(v3_scale(0.5 * (f.low[0] + f.high[0]), f.u),
-                             v3_scale(0.5 * (f.low[1] + f.high[1]), f.v));
-        l->point = l->def.point = v3_add(l->def.point, middle);
-        for (int k = 0; k < 2; k++) l->def.half_side[k] = 0.5 * (f.high[k] - f.low[k]);
-    }
+    vec3 middle = v3_add(v3_scale(0.5 * (f.low[0] + f.high[0]), f.u),
+                         v3_scale(0.5 * (f.low[1] + f.high[1]), f.v));
+    l->point = l->def.point = v3_add(l->def.point, middle);
+    for (int k = 0; k < 2; k++) l->def.half_side[k] = 0.5 * (f.high[k] - f.low[k]);
     l->def.normal = l->n;
     l->def.side = l->u;
 }
@@ -441,78 +444,58 @@ static void add_patches(clast_world *w, int part_index, const mesh *m) {
     free(head);
 }
 
-/* ---- which patches share a vertex ------------------------------------------------------------ */
+/* ---- which patches go on smoothly in each other -----------------------------------------------
+ */
 
-typedef struct meeting {
-    int32_t own, other; /* vertex and patch at first, then two patches */
-} meeting;
-
-static int by_own(const void *left, const void *right) {
-    const meeting *a = left, *b = right;
-    if (a->own != b->own) return a->own < b->own ? -1 : 1;
-    return (a->other > b->other) - (a->other < b->other);
+/* Into a triangle from one of its edges, in the plane of its patch, unit. */
+static vec3 inwards(const mesh *m, const edge *e) {
+    vec3 n = m->planes[m->patch_of[e->triangle]].normal;
+    vec3 along = v3_sub(m->def->vertex[e->high], m->def->vertex[e->low]);
+    vec3 in = v3_scale(beyond(m, e->triangle, e, n) < 0 ? -1 : 1, v3_cross(n, along));
+    return v3_scale(1 / v3_norm(in), in);
 }
 
-/* Sorts, and keeps one of those that are alike. */
-static size_t sorted_once(meeting *m, size_t count) {
-    qsort(m, count, sizeof *m, by_own);
-    size_t kept = 0;
-    for (size_t i = 0; i < count; i++)
-        if (i == 0 || by_own(&m[i], &m[kept - 1]) != 0) m[kept++] = m[i];
-    return kept;
+static int root_of(int *parent, int of) {
+    while (parent[of] != of) of = parent[of] = parent[parent[of]];
+    return of;
 }
 
-/* Past the last that has the same own as m[from]. */
-static size_t end_of_own(const meeting *m, size_t from, size_t count) {
-    size_t to = from;
-    while (to < count && m[to].own == m[from].own) to++;
-    return to;
+/* The lower number becomes the root: it does not hang on the order of the edges. */
+static void unite(int *parent, int a, int b) {
+    int x = root_of(parent, a), y = root_of(parent, b);
+    if (x < y) parent[y] = x;
+    if (y < x) parent[x] = y;
 }
 
-/* Every patch of a vertex with every other; the number squared of those at the tip of a cone. */
-static meeting *meet_patches(const meeting *at, size_t count, size_t *meetings) {
-    size_t room = 0, n = 0;
-    for (size_t from = 0, to; from < count; from = to) {
-        to = end_of_own(at, from, count);
-        room += (to - from) * (to - from - 1);
-    }
-    meeting *found = malloc((room + 1) * sizeof *found);
-    CLAST_ASSERT(found);
-    for (size_t from = 0, to; from < count; from = to) {
-        to = end_of_own(at, from, count);
-        for (size_t i = from; i < to; i++)
-            for (size_t j = from; j < to; j++)
-                if (i != j) found[n++] = (meeting){at[i].other, at[j].other};
-    }
-    *meetings = sorted_once(found, n);
-    return found;
-}
-
-/* Those in one plane with it come first: is_hidden() counts on it. */
-static void join_patch(clast_world *w, int own, int first_wall, const meeting *m, size_t count) {
-    wall *l = &w->walls[own];
-    l->joined = memory_grow(w, NULL, 0, count, sizeof *l->joined);
-    l->joined_count = l->joined_room = (int)count;
-    int place = 0;
-    for (int pass = 0; pass < 2; pass++)
-        for (size_t i = 0; i < count; i++) {
-            int other = first_wall + m[i].other;
-            if (are_in_one_plane(l, &w->walls[other]) == (pass == 0)) l->joined[place++] = other;
+/* A seam turns by less than the angle: the ways into its two triangles are nearly opposite. */
+static void unite_over_edges(const mesh *m, int *parent, double cosine) {
+    const edge *end = m->edges + 3 * (size_t)m->def->triangles;
+    for (const edge *e = m->edges; e < end; e++)
+        for (const edge *f = e + 1; f < end && by_vertices(e, f) == 0; f++) {
+            int a = m->patch_of[e->triangle], b = m->patch_of[f->triangle];
+            if (a != b && -v3_dot(inwards(m, e), inwards(m, f)) > cosine) unite(parent, a, b);
         }
 }
 
+/* Patches that one can go to and fro between over smooth seams have one number, that of the first
+ * of their walls. */
 static void join_patches(clast_world *w, const mesh *m, int first_wall) {
-    size_t count = 3 * (size_t)m->def->triangles, meetings;
-    meeting *at = malloc(count * sizeof *at);
-    CLAST_ASSERT(at);
-    for (size_t c = 0; c < count; c++) at[c] = (meeting){m->def->triangle[c], m->patch_of[c / 3]};
-    count = sorted_once(at, count);
-    meeting *found = meet_patches(at, count, &meetings);
-    for (size_t from = 0, to; from < meetings; from = to) {
-        to = end_of_own(found, from, meetings);
-        join_patch(w, first_wall + found[from].own, first_wall, found + from, to - from);
+    double angle = m->def->smooth_angle == 0 ? CLAST_SMOOTH_ANGLE : m->def->smooth_angle, sine,
+           cosine;
+    clast_sincos(angle > 0 ? angle : 0, &sine, &cosine);
+    int *parent = malloc((size_t)m->patches * sizeof *parent);
+    CLAST_ASSERT(parent);
+    for (int p = 0; p < m->patches; p++) parent[p] = p;
+    if (angle > 0) unite_over_edges(m, parent, cosine);
+    for (int p = 0; p < m->patches; p++) {
+        wall *l = &w->walls[first_wall + p];
+        int root = root_of(parent, p);
+        l->family = first_wall;
+        l->smooth_cosine = cosine;
+        if (root == p) continue;
+        l->smooth = w->walls[first_wall + root].smooth = first_wall + root;
     }
-    free(at), free(found);
+    free(parent);
 }
 
 /* ---- the whole ------------------------------------------------------------------------------- */

@@ -210,6 +210,7 @@ static void rebuild_share(void *context, int thread) {
     adopt(w, &s->contacts, &s->found[0]);
     adopt(w, &s->walls, &s->found[1]);
     if (w->threads > 1) reserve_overhang(w, s);
+    facets_reserve(w, s);
     shared_group(w, s);
 }
 
@@ -249,6 +250,7 @@ void lists_rebuild(clast_world *w) {
 static void refresh_thread(void *context, int thread) {
     clast_world *w = context;
     refresh_share(w, &w->shares[thread]);
+    facets_reserve(w, &w->shares[thread]);
     shared_group(w, &w->shares[thread]);
 }
 

@@ -156,62 +156,34 @@ static void build_for_clump(clast_world *w, share *s, size_t slot) {
 static bool is_within_reach(const clast_world *w, const wall *l, size_t sphere) {
     const centre_row *c = &w->rows.centre[sphere];
     vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
-    size_t slot = body_of_sphere(w, sphere);
-    return wall_approach(l, body_position(w, slot)).distance < bound_of(w, slot) + w->skin &&
-           wall_approach(l, centre).distance < c->radius + w->skin;
+    return wall_approach(l, centre).distance < c->radius + w->skin;
 }
 
-static void try_wall(clast_world *w, share *s, size_t slot, int wall_index) {
-    const wall *l = &w->walls[wall_index];
-    if (wall_approach(l, body_position(w, slot)).distance >= bound_of(w, slot) + w->skin) return;
-    for (size_t i = first_sphere(w, slot); i < first_sphere(w, slot + 1); i++)
-        if (is_within_reach(w, l, i)) push_wall(w, &s->wall_reach, i, wall_index);
+/* Contacts with walls that are not even around the body any more. */
+static void keep_touching_walls(clast_world *w, share *s, size_t sphere, size_t begin) {
+    const wall_reach *l = &s->wall_reach;
+    for (uint32_t k = w->carry.first[sphere]; k < w->carry.first[sphere + 1]; k++) {
+        carried contact = carry_at(w, k);
+        if (!contact.with_wall || !w->parts[w->walls[contact.partner].part].present) continue;
+        size_t at = begin;
+        while (at < l->count && l->wall[at] != contact.partner) at++;
+        if (at == l->count) push_wall(w, &s->wall_reach, sphere, contact.partner);
+    }
 }
 
-/* Bodies of the share in the cells around the box of a wall. */
-static void try_box(clast_world *w, share *s, int wall_index, vec3 low, vec3 high) {
-    const cell_grid *g = &w->cells.grid;
-    double far = w->largest_bound + w->skin;
-    int i0 = cell_along(low.x - far, g->low.x, g->size, g->nx),
-        i1 = cell_along(high.x + far, g->low.x, g->size, g->nx);
-    int j0 = cell_along(low.y - far, g->low.y, g->size, g->ny),
-        j1 = cell_along(high.y + far, g->low.y, g->size, g->ny);
-    int k0 = cell_along(low.z - far, g->low.z, g->size, g->nz),
-        k1 = cell_along(high.z + far, g->low.z, g->size, g->nz);
-    for (int k = k0; k <= k1; k++)
-        for (int j = j0; j <= j1; j++) {
-            size_t row = ((size_t)k * (size_t)g->ny + (size_t)j) * (size_t)g->nx;
-            size_t from = w->cells.cell_first[row + (size_t)i0];
-            size_t to = w->cells.cell_first[row + (size_t)i1 + 1];
-            from = from > s->body_begin ? from : s->body_begin;
-            to = to < s->body_end ? to : s->body_end;
-            for (size_t slot = from; slot < to; slot++) try_wall(w, s, slot, wall_index);
-        }
-}
-
-static void keep_touching_walls(clast_world *w, share *s) {
-    for (size_t i = s->sphere_begin; i < s->sphere_end; i++)
-        for (uint32_t k = w->carry.first[i]; k < w->carry.first[i + 1]; k++) {
-            carried contact = carry_at(w, k);
-            if (!contact.with_wall) continue;
-            const wall *l = &w->walls[contact.partner];
-            if (!w->parts[l->part].present || is_within_reach(w, l, i)) continue;
-            push_wall(w, &s->wall_reach, i, contact.partner);
-        }
-}
-
+/* Sphere by sphere: what a sphere feels of walls hangs on all that it touches. */
 static void build_walls(clast_world *w, share *s) {
     s->wall_reach.count = 0;
-    if (w->bodies.count == 0) return; /* and no cells */
-    for (int l = 0; l < w->wall_count; l++) {
-        vec3 low, high;
-        if (!w->parts[w->walls[l].part].present) continue;
-        if (wall_box(&w->walls[l], &low, &high))
-            try_box(w, s, l, low, high);
-        else
-            for (size_t slot = s->body_begin; slot < s->body_end; slot++) try_wall(w, s, slot, l);
+    for (size_t slot = s->body_begin; slot < s->body_end; slot++) {
+        size_t count = walls_around(w, s, body_position(w, slot), bound_of(w, slot) + w->skin);
+        for (size_t i = first_sphere(w, slot); i < first_sphere(w, slot + 1); i++) {
+            size_t begin = s->wall_reach.count;
+            for (size_t k = 0; k < count; k++)
+                if (is_within_reach(w, &w->walls[s->around[k]], i))
+                    push_wall(w, &s->wall_reach, i, s->around[k]);
+            keep_touching_walls(w, s, i, begin);
+        }
     }
-    keep_touching_walls(w, s);
 }
 
 /* Needs cells, rows and placed contacts. */

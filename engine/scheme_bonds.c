@@ -22,7 +22,7 @@ static vec3 normal_of(const clast_world *w, const contact_place *at, double *dis
     int32_t a = at->list->a[at->index], b = at->list->b[at->index];
     *distance = INFINITY;
     if (at->with_wall)
-        return touch_of_wall(w, &w->walls[b], centre_of(w, a), w->rows.centre[a].radius).normal;
+        return touch_of_wall(&w->walls[b], centre_of(w, a), w->rows.centre[a].radius).normal;
     vec3 d = v3_sub(centre_of(w, a), centre_of(w, b));
     *distance = v3_norm(d);
     return v3_scale(1 / *distance, d);

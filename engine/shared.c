@@ -19,18 +19,24 @@ clast_status shared_check(clast_world *w) {
 static uint64_t place_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall) {
     size_t a = (size_t)l->a[k], body_a = body_of_sphere(w, a);
     uint64_t place_a = a - first_sphere(w, body_a);
-    if (with_wall) return place_a;
+    if (with_wall) return place_a << 32 | (uint32_t)l->b[k];
     size_t b = (size_t)l->b[k], body_b = body_of_sphere(w, b);
     uint64_t place_b = b - first_sphere(w, body_b);
     bool reversed = w->bodies.id[body_a] > w->bodies.id[body_b];
     return reversed ? place_b << 32 | place_a : place_a << 32 | place_b;
 }
 
+/* Facets of a smooth patch are one wall. */
+static uint32_t surface_of(const clast_world *w, int32_t wall_index) {
+    int smooth = w->walls[wall_index].smooth;
+    return (uint32_t)(smooth >= 0 ? smooth : wall_index);
+}
+
 static group_item item_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall) {
-    size_t b = (size_t)l->b[k];
-    return (group_item){.partner = (uint32_t)(with_wall ? b : body_of_sphere(w, b)),
-                        .entry = (uint32_t)k,
-                        .place = place_of(w, l, k, with_wall)};
+    int32_t b = l->b[k];
+    uint32_t partner = with_wall ? surface_of(w, b) : (uint32_t)body_of_sphere(w, (size_t)b);
+    return (group_item){
+        .partner = partner, .entry = (uint32_t)k, .place = place_of(w, l, k, with_wall)};
 }
 
 static bool comes_first(const group_item *a, const group_item *b) {

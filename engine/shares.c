@@ -16,7 +16,7 @@ void shares_free(clast_world *w) {
         memory_release(s->reach.ahead);
         memory_release(s->wall_reach.sphere), memory_release(s->wall_reach.wall);
         free_contacts(&s->contacts), free_contacts(&s->walls);
-        memory_release(s->overhang);
+        memory_release(s->overhang), memory_release(s->around), memory_release(s->touches);
         shared_free(s);
     }
     memory_release(w->shares), memory_release(w->push_room);

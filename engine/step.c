@@ -103,6 +103,7 @@ static clast_status prepare_checked(clast_world *w) {
     if (s) return s;
     choose_sizes(w);
     choose_threads(w);
+    walls_link(w);
     special_choose(w);
     s = shared_check(w);
     if (s) return s;
@@ -119,8 +120,8 @@ clast_status clast_world_prepare(clast_world *w) {
     clast_status s = prepare_checked(w);
     if (s) return s;
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG) integrator_make(w);
-    walls_link(w);
     walls_group(w);
+    walls_plant(w);
     walls_make_rows(w);
     walls_move(w);
     carry_records(w);

@@ -181,6 +181,7 @@ clast_counters clast_world_counters(const clast_world *w) {
         const share *s = &w->shares[t];
         c.pairs += s->reach.count + s->wall_reach.count;
         c.candidates += s->contacts.count + s->walls.count;
+        c.wall_tests += s->wall_tests;
     }
     return c;
 }

@@ -29,7 +29,11 @@ wall *wall_new(clast_world *w, int part_index, const clast_wall_def *def) {
         w->wall_room = now;
     }
     wall *l = &w->walls[w->wall_count++];
-    *l = (wall){.name = memory_text(w, def->name), .part = part_index, .def = *def};
+    *l = (wall){.name = memory_text(w, def->name),
+                .part = part_index,
+                .def = *def,
+                .family = -1,
+                .smooth = -1};
     l->def.name = l->name;
     l->n = v3_scale(1 / v3_norm(def->normal), def->normal);
     l->point = def->point;
@@ -67,32 +71,33 @@ static bool are_coplanar(const wall *a, const wall *b) {
     return fabs(v3_dot(between, a->n)) < 1e-9 * size && v3_norm(between) <= size;
 }
 
-void wall_join(clast_world *w, int i, int j) {
-    wall *l = &w->walls[i];
-    for (int k = 0; k < l->joined_count; k++)
-        if (l->joined[k] == j) return;
-    if (l->joined_count == l->joined_room) {
-        int now = 2 * l->joined_room + 4;
-        l->joined =
-            memory_grow(w, l->joined, (size_t)l->joined_room, (size_t)now, sizeof *l->joined);
-        l->joined_room = now;
+/* Plates that lie in one plane and meet, directly or by others, are of one family. */
+static void link_plate(clast_world *w, int i) {
+    wall *own = &w->walls[i];
+    for (int j = 0; j < i; j++) {
+        const wall *other = &w->walls[j];
+        if (!are_coplanar(own, other) || own->family == other->family) continue;
+        int old = own->family, now = other->family;
+        for (int k = 0; k <= i; k++)
+            if (old >= 0 && w->walls[k].family == old) w->walls[k].family = now;
+        own->family = now;
     }
-    l->joined[l->joined_count++] = j;
 }
 
-/* An edge between two such plates is no edge: the narrow phase asks this list. */
+/* An edge between two such plates is no edge, and a family shows where one may hide another. Meshes
+ * are families from the start. */
 void walls_link(clast_world *w) {
     for (int i = 0; i < w->wall_count; i++)
-        for (int j = 0; j < w->wall_count; j++)
-            if (are_coplanar(&w->walls[i], &w->walls[j])) wall_join(w, i, j);
-}
-
-/* The box around a plate or patch; a plane has none. */
-bool wall_box(const wall *l, vec3 *low, vec3 *high) {
-    if (l->def.kind == CLAST_WALL_PLANE) return false;
-    vec3 half = v3(l->half_box.x, l->half_box.y, l->half_box.z);
-    *low = v3_sub(l->point, half), *high = v3_add(l->point, half);
-    return true;
+        if (w->walls[i].def.kind == CLAST_WALL_PLATE) w->walls[i].family = -1;
+    for (int i = 0; i < w->wall_count; i++) {
+        if (w->walls[i].def.kind != CLAST_WALL_PLATE) continue;
+        bool meets = false;
+        for (int j = 0; j < w->wall_count && !meets; j++)
+            meets = are_coplanar(&w->walls[i], &w->walls[j]);
+        if (!meets) continue;
+        w->walls[i].family = i;
+        link_plate(w, i);
+    }
 }
 
 /* ---- levers ----------------------------------------------------------------------------------
@@ -186,17 +191,19 @@ static void place_row(const clast_world *w, wall_row *r, const wall *l) {
     put_row(w, r->n, l->n), put_row(w, r->u, l->u), put_row(w, r->v, l->v);
 }
 
+/* Plates of a family overlap, so the middle of one may be another's. */
+static bool is_plate_of(const wall *l) {
+    return l->family >= 0 && l->def.kind == CLAST_WALL_PLATE;
+}
+
 static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
     bool plane = l->def.kind == CLAST_WALL_PLANE;
-    bool uneven = l->def.kind == CLAST_WALL_PATCH && !l->is_rectangle;
     *r = (wall_row){.zero = 0};
     put_row(w, r->n, l->n), put_row(w, r->u, l->u), put_row(w, r->v, l->v);
-    r->half_u = plane ? WALL_ENDLESS : uneven ? l->bound : l->def.half_side[0];
-    r->half_v = plane ? WALL_ENDLESS : uneven ? l->bound : l->def.half_side[1];
-    if (uneven || (l->joined_count > 0 && !l->is_rectangle))
-        r->rim = WALL_ENDLESS; /* never clear of it */
-    else
-        r->rim = l->joined_count > 0 ? wall_rim(l) : -WALL_ENDLESS;
+    r->half_u = plane ? WALL_ENDLESS : l->def.half_side[0];
+    r->half_v = plane ? WALL_ENDLESS : l->def.half_side[1];
+    bool never_clear = wall_is_uneven(l) || l->smooth >= 0 || is_plate_of(l);
+    r->rim = never_clear ? WALL_ENDLESS : l->family >= 0 ? wall_rim(l) : -WALL_ENDLESS;
     place_row(w, r, l);
 }
 

@@ -1,7 +1,7 @@
 /* wall_lanes.h - where spheres meet walls, one lane at a time: planes, plates and patches that fill
  * a rectangle. A plane is a plate without end that has one side. What lanes cannot tell, whether
- * another wall of a mesh holds the nearest point and where an uneven patch ends, they ask
- * geometry.h for (`look`). Kernel frame. */
+ * another wall that the sphere touches hides this one and where an uneven patch ends, they ask
+ * facets.c for (`look`). Kernel frame. */
 #ifndef CLAST_WALL_LANES_H
 #define CLAST_WALL_LANES_H
 
@@ -13,7 +13,7 @@ typedef struct wall_batch {
     _Alignas(64) double n[4][LANES]; /* and half side along u, m */
     double u[4][LANES];              /* and half side along v, m */
     double v[4][LANES];              /* and rim, m */
-    double look[LANES];              /* 1: ask geometry.h */
+    double look[LANES];              /* 1: may have to be asked about */
 } wall_batch;
 
 LANE_INLINE double beyond(double x, double limit) {
@@ -22,7 +22,7 @@ LANE_INLINE double beyond(double x, double limit) {
 }
 
 /* A sphere with its centre on the surface is pushed along the normal. */
-LANE_INLINE void wall_lane(batch *b, wall_batch *l, int i) {
+LANE_INLINE void wall_lane(batch *b, wall_batch *l, const real *restrict was, int i) {
     double x = b->d[0][i], y = b->d[1][i], z = b->d[2][i];
     double height = x * l->n[0][i] + y * l->n[1][i] + z * l->n[2][i];
     double s = x * l->u[0][i] + y * l->u[1][i] + z * l->u[2][i];
@@ -38,7 +38,8 @@ LANE_INLINE void wall_lane(batch *b, wall_batch *l, int i) {
     double overlap = b->ra[i] - distance;
     int clear = (fabs(s) < half_u - rim) & (fabs(t) < half_v - rim);
     b->overlap[i] = overlap;
-    int look = (overlap > 0) & !clear;
+    int ended = (overlap <= 0) & (was[i] > 0) & (rim >= WALL_ENDLESS);
+    int look = ((overlap > 0) & !clear) | ended;
     l->look[i] = look ? 1 : 0;
 }
 

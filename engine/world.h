@@ -166,6 +166,14 @@ typedef struct part_sums {
     exact_sum force[3], moment, belt;
 } part_sums;
 
+/* Boxes around the plates and patches of a part, where they stand at t = 0 (wall_tree.c). */
+typedef struct wall_tree {
+    int walls, leaves; /* leaves: a power of two */
+    int *wall;         /* those with an end, in the order of a curve through their middles */
+    float *box;        /* 6 per node: low and high corner; node k has 2 k + 1 and 2 k + 2 */
+    int planes, *plane; /* those without an end */
+} wall_tree;
+
 typedef struct part {
     char *name;
     clast_part_def def;
@@ -184,6 +192,7 @@ typedef struct part {
     int *walls, wall_count;
     part_push push;    /* of the last evaluation */
     double work_total; /* J, done on the bodies so far */
+    wall_tree tree;
 } part;
 
 /* The triangles of a flat piece of a mesh, in the plane of its wall: coordinates along u and v. */
@@ -205,8 +214,9 @@ typedef struct wall {
     vec3 half_box;       /* m, of the box about the point, likewise */
     patch patch;
     bool is_rectangle; /* a patch that fills the rectangle of half_side about its point */
-    int *joined;       /* plates or patches that share a border with this one */
-    int joined_count, joined_room;
+    int family; /* those of a mesh, or plates in one plane: one may hide another; -1: none does */
+    int smooth; /* facets of one smooth patch: the first of its walls; -1: for itself */
+    double smooth_cosine; /* of the angle within which they are felt as one */
 } wall;
 
 /* m, half a side of what has no end; its square is a number. */
@@ -312,6 +322,11 @@ typedef struct share {
     contact_list contacts, walls;
     found_list found[2];      /* while they are made */
     contact_groups groups[2]; /* of contacts and of walls; worlds of shared dashpots alone */
+    int32_t *around; /* scratch: walls around one body */
+    size_t around_capacity;
+    struct wall_touch *touches; /* scratch: of one sphere, or one body */
+    size_t touch_capacity;
+    uint64_t wall_tests; /* boxes and walls that were looked at to make lists */
     group_item *items;        /* scratch: contacts of one body */
     void *batches;            /* scratch: shared_batch, for the contacts of one body */
     size_t item_capacity;
@@ -373,6 +388,7 @@ typedef struct speciality {
     bool shared;   /* clumps, whose dashpots are shared */
     bool turning;  /* some part turns */
     bool pushing;  /* some part moves or has a belt */
+    bool facets;   /* walls that may hide each other */
 } speciality;
 
 /* A grid of cubic cells over the bodies, remade at every rebuild. */
@@ -573,16 +589,26 @@ void special_choose_scale(clast_world *w);
 
 /* wall.c, mesh.c */
 wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
-void wall_join(clast_world *w, int wall, int other);
 void walls_link(clast_world *w);
 void walls_make_rows(clast_world *w);
 void walls_group(clast_world *w);
 void walls_move(clast_world *w);
 void walls_move_to(clast_world *w, double time);
-bool wall_box(const wall *l, vec3 *low, vec3 *high);
 bool wall_pushes(const clast_world *w, const wall *l);
 
+/* wall_tree.c: which walls are where */
+void walls_plant(clast_world *w);
+size_t walls_around(clast_world *w, share *s, vec3 centre, double reach);
+
+/* facets.c: which of the walls that a sphere touches it feels */
+void facets_reserve(clast_world *w, share *s);
+size_t facets_run_end(const contact_list *l, size_t from);
+void facets_settle(const clast_world *w, const contact_list *l, size_t from, size_t to,
+                   bool advance, struct wall_touch *touch);
+
 /* entry.c */
+void entry_hand_over(const clast_world *w, const contact_list *l, size_t to, size_t from);
+double entry_overlap(const clast_world *w, const contact_list *l, size_t k);
 size_t entry_number_size(const clast_world *w);
 void entry_reserve(clast_world *w, contact_list *l, size_t count);
 void entry_push(clast_world *w, contact_list *l, int32_t a, int32_t b, const history *h);

@@ -69,18 +69,32 @@ static size_t check_pairs(const clast_world *w, uint64_t seed) {
     return touching;
 }
 
+/* The walls of a mesh that it touches and feels. */
+static size_t check_walls_of(const clast_world *w, size_t sphere, const key_list *k,
+                             uint64_t seed) {
+    const centre_row *c = &w->rows.centre[sphere];
+    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
+    wall_touch touch[64];
+    size_t count = 0, felt = 0;
+    for (int i = 0; i < w->wall_count; i++) {
+        if (!w->parts[w->walls[i].part].present) continue;
+        assert_true(count < sizeof touch / sizeof *touch);
+        touch[count] = touch_of_wall(&w->walls[i], centre, c->radius);
+        count += touch[count].overlap > 0;
+    }
+    touches_settle(touch, count, centre);
+    for (size_t i = 0; i < count; i++) {
+        if (touch[i].hidden) continue;
+        demand_entry(k, sphere, (size_t)(touch[i].wall - w->walls), "sphere and wall", seed, w);
+        felt++;
+    }
+    return felt;
+}
+
 static size_t check_walls(const clast_world *w, uint64_t seed) {
     key_list k = keys_of(w, true);
     size_t touching = 0;
-    for (size_t s = 0; s < w->sphere_count; s++)
-        for (int i = 0; i < w->wall_count; i++) {
-            const centre_row *c = &w->rows.centre[s];
-            if (!w->parts[w->walls[i].part].present) continue;
-            vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
-            if (!(touch_of_wall(w, &w->walls[i], centre, c->radius).overlap > 0)) continue;
-            demand_entry(&k, s, (size_t)i, "sphere and wall", seed, w);
-            touching++;
-        }
+    for (size_t s = 0; s < w->sphere_count; s++) touching += check_walls_of(w, s, &k, seed);
     if (touching != k.count)
         fail_msg("seed %llu, step %llu: %zu entries touch walls, %zu spheres do",
                  (unsigned long long)seed, (unsigned long long)w->step, k.count, touching);
@@ -105,12 +119,22 @@ static clast_world_def cloud_def(clast_law law) {
     return def;
 }
 
+/* A tetrahedron, or a strip of facets that are all joined smoothly. */
 static void add_random_mesh(clast_world *w, dice *d, int of, int hard) {
-    clast_vec3 corner[4];
-    for (int i = 0; i < 4; i++)
-        corner[i] = vec(roll(d, -.1, .1), roll(d, -.1, .1), roll(d, -.1, .1));
-    int32_t faces[12] = {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3};
-    clast_mesh_def mesh = {"tetrahedron", hard, 4, 4, corner, faces, {0, 0, 0}};
+    clast_vec3 corner[8];
+    int32_t tetrahedron[12] = {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    int32_t strip[18] = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4, 4, 5, 6, 5, 7, 6};
+    bool bent = roll(d, 0, 1) < .5;
+    for (int i = 0; i < 8; i++)
+        corner[i] = bent ? vec(.05 * (i / 2 - 1.5), .08 * (i % 2 - .5), -.09 + roll(d, 0, .02))
+                         : vec(roll(d, -.1, .1), roll(d, -.1, .1), roll(d, -.1, .1));
+    clast_mesh_def mesh = {.name = bent ? "strip" : "tetrahedron",
+                           .material = hard,
+                           .vertices = bent ? 8 : 4,
+                           .triangles = bent ? 6 : 4,
+                           .vertex = corner,
+                           .triangle = bent ? strip : tetrahedron,
+                           .smooth_angle = 1.2};
     if (clast_mesh_add(w, of, &mesh) < 0) fail_msg("%s", clast_world_error(w));
 }
 
