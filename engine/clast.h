@@ -348,8 +348,8 @@ typedef struct clast_mesh_def {
     const clast_vec3 *vertex; /* m */
     const int32_t *triangle;  /* three indices each; a vertex that two triangles share joins them */
     clast_vec3 belt_velocity; /* m/s */
-    double smooth_angle;      /* rad, < pi/2: flat pieces that meet at a smaller one are one surface;
-                                 0 reads as CLAST_SMOOTH_ANGLE, below 0: every piece for itself */
+    double smooth_angle;      /* rad, < pi/2: flat pieces that meet at less are one surface; 0 reads
+                                 as CLAST_SMOOTH_ANGLE, below 0: every piece for itself */
 } clast_mesh_def;
 
 /* 35 degrees: joins the sides of a cylinder of 11 facets and more, the seams that a round nose is

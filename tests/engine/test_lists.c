@@ -124,10 +124,11 @@ static void add_random_mesh(clast_world *w, dice *d, int of, int hard) {
     clast_vec3 corner[8];
     int32_t tetrahedron[12] = {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3};
     int32_t strip[18] = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4, 4, 5, 6, 5, 7, 6};
-    bool bent = roll(d, 0, 1) < .5;
-    for (int i = 0; i < 8; i++)
-        corner[i] = bent ? vec(.05 * (i / 2 - 1.5), .08 * (i % 2 - .5), -.09 + roll(d, 0, .02))
-                         : vec(roll(d, -.1, .1), roll(d, -.1, .1), roll(d, -.1, .1));
+    for (int i = 0; i < 4; i++)
+        corner[i] = vec(roll(d, -.1, .1), roll(d, -.1, .1), roll(d, -.1, .1));
+    bool bent = corner[0].x > 0;
+    for (int i = 7; i >= 0 && bent; i--)
+        corner[i] = vec(.05 * (i / 2 - 1.5), .08 * (i % 2 - .5), -.06 + .1 * corner[i / 2].z);
     clast_mesh_def mesh = {.name = bent ? "strip" : "tetrahedron",
                            .material = hard,
                            .vertices = bent ? 8 : 4,
