@@ -135,7 +135,7 @@ typedef struct flow_facts {
     double start_up;                     /* s from the first particle to the linear part */
     double fluctuation;                  /* relative standard deviation of the rate over BIN_S */
     int arches;                          /* stretches below ARCH_RATE */
-    double arch_from, arch_longest;      /* s, of the longest */
+    double lowest, lowest_at;            /* lowest rate over BIN_S over the mean; s */
     double left;                         /* share that stays above the bottom */
     double ratio[REGIONS], ratio_all;    /* log10 of summed rotational over translational energy */
     double ratio_mean[REGIONS];          /* log10 of the mean over particles */

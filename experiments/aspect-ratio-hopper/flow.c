@@ -23,24 +23,25 @@ static int bin_of(const double *t, int n) {
     return rows < 1 ? 1 : rows;
 }
 
-/* Fluctuation and arches of the rate over bins of BIN_S within the linear part, beside its slope.
- */
+/* Fluctuation and arches of the rate over bins of BIN_S within the linear part, without a tenth at
+ * either end: it begins with the start-up and ends when the chamber is full or the hopper empty. */
 static void measure_roughness(flow_facts *f, const double *t, const double *out, int n) {
-    int bin = bin_of(t, n), last = f->linear.first + f->linear.count - 1, below = 0, bins = 0;
-    double rates[4096];
-    f->fluctuation = f->arch_longest = f->arch_from = NAN;
-    if (!f->linear.count || f->linear.count < 2 * bin) return;
-    for (int i = f->linear.first; i + bin <= last && bins < 4096; i += bin)
+    enum { BINS = 4096 };
+    double rates[BINS] = {0}, lowest = INFINITY;
+    int bin = bin_of(t, n), tenth = f->linear.count / 10, below = 0, bins = 0;
+    int first = f->linear.first + tenth, last = f->linear.first + f->linear.count - 1 - tenth;
+    f->fluctuation = f->lowest_at = NAN;
+    if (last - first < 2 * bin) return;
+    for (int i = first; i + bin <= last && bins < BINS; i += bin)
         rates[bins++] = (out[i + bin] - out[i]) / (t[i + bin] - t[i]);
     f->fluctuation = gsl_stats_sd(rates, 1, (size_t)bins) / f->rate;
-    f->arch_longest = 0;
-    for (int i = f->linear.first; i + bin <= last; i++) {
+    for (int i = first; i + bin <= last; i++) {
         double rate = (out[i + bin] - out[i]) / (t[i + bin] - t[i]);
         below = rate < ARCH_RATE * f->rate ? below + 1 : 0;
         f->arches += below == 1;
-        double length = below ? t[i + bin] - t[i - below + 1] : 0;
-        if (length > f->arch_longest) f->arch_longest = length, f->arch_from = t[i - below + 1];
+        if (rate < lowest) lowest = rate, f->lowest_at = 0.5 * (t[i] + t[i + bin]);
     }
+    f->lowest = lowest / f->rate;
 }
 
 static double *percent_of(const aspect_case *c, const double *count, int n) {

@@ -7,6 +7,7 @@
 #include "experiments/aspect-ratio-hopper/studio.h"
 
 enum { FILM_FRAMES = 400 };
+#define FLOWING 0.5 /* s, in the middle of the discharge */
 #define FASTEST 6.0 /* m/s, top of the scale of speed: the fall through the chamber */
 
 /* Shown is what lies between these heights, in widths of the hopper. */
@@ -38,12 +39,11 @@ static int still(const aspect_study *s, sheet sheet_of, double time, bool at_res
     return bad;
 }
 
-/* The frame in the middle of the longest stretch below half the steady rate, of the longest
- * particles that have one. */
+/* The longest particles at the moment of the lowest rate. */
 static int arch_picture(const aspect_study *s) {
     for (int shape = MAIN_SHAPES - 1; shape > 0; shape--) {
         const aspect_case *c = shown_case(s, shape);
-        if (!c || !(c->flow.arch_longest > 0)) continue;
+        if (!c || isnan(c->flow.lowest_at)) continue;
         char path[800];
         sheet one = {.panels = 1,
                      .low = LOWER[0],
@@ -54,7 +54,7 @@ static int arch_picture(const aspect_study *s) {
                      .fastest = 2,
                      .titles = {c->chain.name}};
         results *r = run_open(c->flow_folder);
-        frame *f = run_frame(r, c->flow.arch_from + 0.5 * c->flow.arch_longest);
+        frame *f = run_frame(r, c->flow.lowest_at);
         snprintf(path, sizeof path, "%s/arch.png", s->frames);
         studio *o = studio_new(&one);
         int bad = o ? studio_still(o, (const frame *const *)&f, path) : 4;
@@ -109,6 +109,7 @@ int aspect_pictures(const aspect_study *s) {
     beds.closed = forces.closed = true;
     int bad = still(s, beds, 1e9, true, "beds") | still(s, forces, 1e9, true, "forces");
     bad |= still(s, speed, SNAPSHOT, false, "snapshots");
+    bad |= still(s, speed, FLOWING, false, "flowing");
     bad |= still(s, bands, SHEAR_TIME, false, "bands");
     bad |= arch_picture(s);
     if (s->size->films && !bad) bad = film(s, speed, "speed") | film(s, turned, "velocity-bands");

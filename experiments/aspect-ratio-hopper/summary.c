@@ -37,6 +37,7 @@ FACT(rate_9995, c->flow.rate_r2[1])
 FACT(start_up, c->flow.start_up)
 FACT(fluctuation, c->flow.fluctuation)
 FACT(arches_seen, c->flow.arches)
+FACT(lowest, c->flow.lowest)
 FACT(left_share, c->flow.left)
 FACT(ratio_left, c->flow.ratio[0])
 FACT(ratio_centre, c->flow.ratio[1])
@@ -86,6 +87,7 @@ const named_fact FACTS[] = {
     {"time to the linear part", "s", start_up},
     {"fluctuation of the rate", "", fluctuation},
     {"arches", "", arches_seen},
+    {"lowest rate over the mean", "", lowest},
     {"left in the hopper", "", left_share},
     {"energy ratio left", "log10", ratio_left},
     {"energy ratio centre", "log10", ratio_centre},

@@ -19,7 +19,7 @@ set xrange [0:0.5]; set yrange [0:*]; set xtics 0.1
 set arrow 1 from 0.08, graph 0 to 0.08, graph 1 nohead dt (6,3) lw 1 lc rgb thesis
 plot for [k=1:4] shape('discharge', k) using ($4 <= 0.5 ? $4 : NaN):5 with lines lw 1.4 dt stroke[k] lc rgb hue[k]
 unset arrow 1
-set lmargin at screen across(13.1); set rmargin at screen across(16.7)
+set lmargin at screen across(13.4); set rmargin at screen across(16.7)
 set xlabel 'aspect ratio'; set ylabel 'steady rate (%/s)'
 set xrange [0.6:4.4]; set xtics 1; set yrange [0:*]
 plot fact('rate') using 4:7:(spread($8)) with yerrorbars pt 7 ps 0.7 lw 1.2 lc rgb ours, \

@@ -6,7 +6,7 @@ width = 17; height = 7
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 set multiplot
-set xrange [0:*]; set yrange [-3:0]
+set xrange [0:1.6]; set yrange [-4:0]; set xtics 0.5
 do for [c=1:4] {
     left = 1.8 + 3.8 * (c - 1)
     if (c > 1) { unset label 999; unset key } else { set key at screen 0.5,1 - up(0.12) center top maxrows 1 }

@@ -5,6 +5,7 @@
 width = 17; height = 9.4
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
-column = 8; name = 'velocity (cm/s)'; low = -120; high = 120
+column = 8; name = 'velocity (cm/s)'; low = -180; high = 180
+set ytics 90; set xtics 0.5
 set xzeroaxis lt 1 lw 0.5 lc rgb faint
 load tools.'/aspect-ratio-hopper/tracked.gpi'

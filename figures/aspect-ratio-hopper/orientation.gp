@@ -6,5 +6,5 @@ width = 17; height = 9.4
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 column = 7; name = 'angle (deg)'; low = -450; high = 450
-set ytics 180
+set ytics 180; set xtics 0.5
 load tools.'/aspect-ratio-hopper/tracked.gpi'
