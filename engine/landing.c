@@ -4,9 +4,7 @@
  * that lands on its outermost sphere is lighter than its mass; one that lands flat on several
  * spheres meets that many times the stiffness of one. A contact that sticks has a spring across n
  * too, whose arm is that of the contact point: a sphere rolls on it with 1/m + R^2/I = 3.5/m. */
-#include "engine/world.h"
-
-enum { SIDES = 6 };
+#include "engine/landing.h"
 
 static const double TOGETHER = 0.05; /* of the smallest radius: touch at once, within an overlap */
 
@@ -27,12 +25,8 @@ static double smallest_radius(const shape *s) {
     return r;
 }
 
-static bool leaves_plane(const clast_world *w, int side) {
-    return w->def.motion == CLAST_MOTION_IN_PLANE && side / 2 == w->def.plane_axis;
-}
-
-static vec3 side_normal(int side) {
-    return v3_axis(side / 2, side % 2 ? -1 : 1);
+static bool leaves_plane(const clast_world *w, int axis) {
+    return w->def.motion == CLAST_MOTION_IN_PLANE && axis == w->def.plane_axis;
 }
 
 /* ---- without friction ------------------------------------------------------------------------ */
@@ -83,9 +77,9 @@ double landing_lightest(const clast_world *w, const shape *s) {
     double slack = TOGETHER * smallest_radius(s), most = s->inverse_mass;
     for (int i = 0; i < s->spheres; i++)
         most = fmax(most, s->inverse_mass + turning_alone(s->centre[i], inverse));
-    for (int side = 0; side < SIDES; side++)
-        if (!leaves_plane(w, side))
-            most = fmax(most, flat_landing(s, side_normal(side), inverse, slack));
+    vec3 normals[LANDING_SIDES];
+    int sides = landing_sides(w, s, normals);
+    for (int i = 0; i < sides; i++) most = fmax(most, flat_landing(s, normals[i], inverse, slack));
     return most > s->inverse_mass ? 1 / most : s->mass;
 }
 
@@ -194,14 +188,14 @@ static vec3 stiffer_normal(const held_sphere *h, const freedom *f, vec3 n, const
 /* 1/kg, in the direction in which the body gives way least: the best of the principal axes and of
  * that of the sphere, and up from there. */
 static double stuck_sphere(const clast_world *w, const held_sphere *h, const freedom *f) {
-    enum { ROUNDS = 12 };
+    enum { AXES = 6, ROUNDS = 12 };
     double out = v3_norm(h->centre), most = 0;
     motions x, best = {{0}};
     vec3 normal = {0, 0, 0};
-    for (int side = 0; side < SIDES + 2; side++) {
-        if (side < SIDES ? leaves_plane(w, side) : out == 0) continue;
-        vec3 n =
-            side < SIDES ? side_normal(side) : v3_scale((side == SIDES ? 1 : -1) / out, h->centre);
+    for (int side = 0; side < AXES + 2; side++) {
+        if (side < AXES ? leaves_plane(w, side / 2) : out == 0) continue;
+        double sign = side % 2 ? -1 : 1;
+        vec3 n = side < AXES ? v3_axis(side / 2, sign) : v3_scale(sign / out, h->centre);
         double rate = stuck_at(h, f, n, &x);
         if (rate > most) most = rate, best = x, normal = n;
     }
@@ -216,9 +210,9 @@ double landing_stuck_rate(const clast_world *w, const shape *s, double ratio) {
     freedom f = freedom_of(w, s);
     double slack = TOGETHER * smallest_radius(s), most = 0;
     double turning = fmax(f.inertia.x, fmax(f.inertia.y, f.inertia.z));
-    for (int side = 0; side < SIDES; side++)
-        if (!leaves_plane(w, side))
-            most = fmax(most, stuck_flat(s, &f, side_normal(side), slack, ratio));
+    vec3 normals[LANDING_SIDES];
+    int sides = landing_sides(w, s, normals);
+    for (int i = 0; i < sides; i++) most = fmax(most, stuck_flat(s, &f, normals[i], slack, ratio));
     for (int i = 0; i < s->spheres; i++) {
         held_sphere h = {s->centre[i], s->radius[i], ratio};
         double arm = (v3_norm(h.centre) + h.radius) * turning;

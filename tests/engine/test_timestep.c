@@ -238,34 +238,40 @@ static double give_way(const clast_shape_def *s, int sphere, clast_vec3 n, doubl
     return most;
 }
 
-/* A lopsided clump: all directions by brute force, none of which may give way more than the plan
- * says. Its spheres reach out so unequally that no landing is on two of them. */
-static void a_clump_that_sticks_by_brute_force(void **state) {
+/* The largest of all normals, 3 degrees apart: which misses the top by 0.1 %. */
+static double gives_way_most(const clast_shape_def *s, double ratio) {
+    double most = 0;
+    for (int i = 0; i < 60; i++)
+        for (int j = 0; j < 120; j++) {
+            double polar = PI * (i + 0.5) / 60, around = 2 * PI * j / 120;
+            clast_vec3 n = {sin(polar) * cos(around), sin(polar) * sin(around), cos(polar)};
+            most = fmax(most, give_way(s, 0, n, ratio));
+        }
+    return most;
+}
+
+/* One sphere at the end of a lopsided lever: none of all directions gives way more than the plan
+ * says. */
+static void a_lever_that_sticks_by_brute_force(void **state) {
     (void)state;
     static const double ratios[] = {0.4, 0.83, 1.6};
-    for (int k = 0; k < 3; k++) {
+    const clast_vec3 centres[] = {{0.011, 0.002, -0.003}, {-0.004, 0.0003, 0}, {0, -0.006, 0.005}};
+    for (int k = 0; k < 9; k++) {
         clast_world_def def = bare_def(CLAST_LAW_LINEAR);
         clast_world *w = new_world(&def);
         clast_pair_def pair = pair_of(1, 0.4);
-        pair.tangential_ratio = ratios[k];
+        pair.tangential_ratio = ratios[k % 3];
         two_materials m = add_materials(w, &pair);
-        clast_vec3 centre[3] = {{0.011, 0.002, -0.003}, {-0.004, 0.0003, 0}, {0, -0.006, 0.005}};
-        double radius[3] = {0.004, 0.005, 0.003}, most = 0;
-        clast_shape_def s = {"stone", m.soft, 3, centre, radius, 1.3e-3, {4e-8, 7e-8, 6e-8},
+        clast_vec3 centre = centres[k / 3];
+        double radius = 0.004;
+        clast_shape_def s = {"lever", m.soft, 1, &centre, &radius, 1.3e-3, {4e-8, 7e-8, 6e-8},
                              0,       NULL};
         int shape = clast_shape_add(w, &s);
         add_body(w, shape, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
         assert_int_equal(clast_world_prepare(w), CLAST_OK);
-        for (int i = 0; i < 60; i++)
-            for (int j = 0; j < 120; j++)
-                for (int sphere = 0; sphere < 3; sphere++) {
-                    double polar = PI * (i + 0.5) / 60, around = 2 * PI * j / 120;
-                    clast_vec3 n = {sin(polar) * cos(around), sin(polar) * sin(around), cos(polar)};
-                    most = fmax(most, give_way(&s, sphere, n, ratios[k]));
-                }
-        /* two of them meet, each with its worst side; a grid of 3 degrees misses the top by 0.1 %
-         */
-        double critical = clast_world_plan(w).critical_step;
+        /* two of them meet, each with its worst side */
+        double critical = clast_world_plan(w).critical_step,
+               most = gives_way_most(&s, ratios[k % 3]);
         double found = 4 / (critical * critical * pair.stiffness) / 2;
         CHECK_BELOW(most, found * (1 + 1e-9));
         CHECK_CLOSE(most, found, 2e-3);
@@ -412,6 +418,68 @@ static void an_arm_makes_a_contact_lighter(void **state) {
     }
 }
 
+static clast_vec3 turned_by(clast_quat q, clast_vec3 a) {
+    clast_vec3 axis = vec(q.x, q.y, q.z), t = times(2, cross(axis, a));
+    return plus(a, plus(times(q.w, t), cross(axis, t)));
+}
+
+/* A tetrahedron of four spheres, turned at random within its own frame (its moments are equal, so
+ * any frame is principal), comes to lie on three of them, whatever its axes say: 3/m, against 2/m
+ * on an edge and 1/m + c^2/I on one sphere. */
+static void a_clump_lands_on_its_sides(void **state) {
+    (void)state;
+    dice d = {.seed = 12};
+    const double r = 0.003, half = 0.004, mass = 1.7e-3, inertia = 8 * half * half * mass;
+    const clast_vec3 corner[4] = {
+        {half, half, half}, {half, -half, -half}, {-half, half, -half}, {-half, -half, half}};
+    for (int n = 0; n < 20; n++) {
+        clast_world_def def = bare_def(CLAST_LAW_LINEAR);
+        clast_world *w = new_world(&def);
+        clast_pair_def pair = pair_of(1, 0);
+        two_materials m = add_materials(w, &pair);
+        clast_quat q = any_orientation(&d);
+        clast_vec3 centre[4];
+        double radius[4] = {r, r, r, r};
+        for (int i = 0; i < 4; i++) centre[i] = turned_by(q, corner[i]);
+        int shape = clast_shape_add(w, &(clast_shape_def){"tetrahedron",
+                                                          m.soft,
+                                                          4,
+                                                          centre,
+                                                          radius,
+                                                          mass,
+                                                          {inertia, inertia, inertia},
+                                                          0,
+                                                          NULL});
+        add_body(w, shape, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
+        assert_int_equal(clast_world_prepare(w), CLAST_OK);
+        CHECK_CLOSE(clast_world_plan(w).contact_time, PI * sqrt(0.5 * mass / 3 / pair.stiffness),
+                    1e-12);
+        clast_world_free(w);
+    }
+}
+
+/* A cone of a row: spheres of falling size on a line, which lies on its side. */
+static void a_tapered_row_lands_on_its_side(void **state) {
+    (void)state;
+    enum { ROW = 5 };
+    clast_world_def def = bare_def(CLAST_LAW_LINEAR);
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(1, 0);
+    two_materials m = add_materials(w, &pair);
+    clast_vec3 centre[ROW];
+    double radius[ROW], mass = 2e-3, inertia = 1e-6; /* slow to turn: the centre's motion counts */
+    for (int i = 0; i < ROW; i++)
+        centre[i] = vec(0.004 * (i - 2), 0, 0), radius[i] = 0.005 - 0.0006 * i;
+    int shape = clast_shape_add(
+        w, &(clast_shape_def){
+               "cone", m.soft, ROW, centre, radius, mass, {inertia, inertia, inertia}, 0, NULL});
+    add_body(w, shape, vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
+    assert_int_equal(clast_world_prepare(w), CLAST_OK);
+    CHECK_CLOSE(clast_world_plan(w).contact_time, PI * sqrt(0.5 * mass / ROW / pair.stiffness),
+                1e-3);
+    clast_world_free(w);
+}
+
 static void time_is_counted_not_summed(void **state) {
     (void)state;
     clast_world *w = chain_world(1, 0.2, 1);
@@ -434,8 +502,10 @@ TEST_MAIN(cmocka_unit_test(rayleigh_steps_of_the_chains),
           cmocka_unit_test(so_it_does_between_two_plates),
           cmocka_unit_test(hertzian_spheres_stick_as_mindlin_says),
           cmocka_unit_test(the_automatic_step_keeps_below_the_limit),
-          cmocka_unit_test(a_clump_that_sticks_by_brute_force),
+          cmocka_unit_test(a_lever_that_sticks_by_brute_force),
           cmocka_unit_test(a_chain_is_lighter_than_its_mass),
           cmocka_unit_test(overlapping_spheres_have_less_mass_each),
           cmocka_unit_test(an_arm_makes_a_contact_lighter),
+          cmocka_unit_test(a_clump_lands_on_its_sides),
+          cmocka_unit_test(a_tapered_row_lands_on_its_side),
           cmocka_unit_test(time_is_counted_not_summed))
