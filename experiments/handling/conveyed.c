@@ -12,10 +12,19 @@ static const double EDGE = 0.30; /* m, where the upper conveyor ends (BOT) */
 
 typedef struct track {
     bool on_top, carried, returned;
+    double with_upper, with_lower; /* s, since when it has had that belt's speed; < 0: it has not */
 } track;
 
 static bool has_speed(double v, double belt) {
     return fabs(v - belt) < SPEED_TAKEN * fabs(belt);
+}
+
+bool keeps_speed(double time, bool has_it, double *since) {
+    if (!has_it)
+        *since = -1;
+    else if (*since < 0)
+        *since = time;
+    return has_it && time - *since >= CARRIED_FOR * (1 - 1e-9);
 }
 
 static void follow(const frame *f, double level, bool first, track *tracks) {
@@ -23,9 +32,11 @@ static void follow(const frame *f, double level, bool first, track *tracks) {
         track *t = &tracks[f->id[i]];
         bool above = f->position[3 * i + 2] > level;
         double v = f->velocity[3 * i];
-        if (first) t->on_top = above && f->position[3 * i] < EDGE;
-        t->carried |= above && has_speed(v, CONVEYOR_SPEED);
-        t->returned |= !above && has_speed(v, -CONVEYOR_SPEED);
+        if (first) *t = (track){above && f->position[3 * i] < EDGE, false, false, -1, -1};
+        bool with_upper = above && has_speed(v, CONVEYOR_SPEED);
+        bool with_lower = !above && has_speed(v, -CONVEYOR_SPEED);
+        t->carried |= keeps_speed(f->time, with_upper, &t->with_upper);
+        t->returned |= keeps_speed(f->time, with_lower, &t->with_lower);
     }
 }
 

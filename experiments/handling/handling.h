@@ -27,6 +27,7 @@
 /* ---- what we chose (README.md, "Assumptions") ------------------------------------------------ */
 
 #define SPEED_TAKEN   0.10 /* a particle has the speed of a belt within this part of it */
+#define CARRIED_FOR   0.25 /* s that it keeps it: README.md, "Assumptions" */
 #define SINGLED_AT    1.3  /* m, x at which a spheroid is looked at: README.md, "Assumptions" */
 #define ARCH_HALF     0.5  /* of the orifice, its middle: spheres at rest above it are an arch */
 #define EVERY_STEPS   50   /* 3.9.2 */
@@ -125,12 +126,16 @@ const double *run_column(const results *r, const char *name);
 
 /* Shares of the particles of a run. */
 typedef struct conveyed {
-    double carried;  /* had the speed of the upper conveyor above it, of those that start there */
+    double carried;  /* kept the speed of the upper conveyor above it, of those that start there */
     double dropped;  /* ended below it */
-    double returned; /* had the speed of the lower conveyor there */
+    double returned; /* kept the speed of the lower conveyor there */
 } conveyed;
 
 conveyed conveyed_of(results *r, scene_kind kind);
+
+/* A particle at one look. *since: from when on it has had the speed of a belt at every look;
+ * < 0: it had not at the last. True once that is CARRIED_FOR ago. */
+bool keeps_speed(double time, bool has_it, double *since);
 
 /* s, when the first particle is below the upper conveyor; the end of the run when it never is. */
 double fall_time(results *r, scene_kind kind);

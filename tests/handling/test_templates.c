@@ -1,6 +1,6 @@
 /* test_templates.c - the particles of A00 Appendix D as the scenes have them: mass and moments of
- * the union of the spheres, the two-sphere particles of 3.9.4, the damping ratio, and the cells of
- * the disc. */
+ * the union of the spheres, the two-sphere particles of 3.9.4, the damping ratio, the cells of
+ * the disc, and what counts as carried. */
 #include "tests/support/check.h"
 
 #include <math.h>
@@ -182,6 +182,21 @@ static void the_disc_is_cut_into_cells(void **state) {
     scene_free(s);
 }
 
+/* ---- carried along --------------------------------------------------------------------------- */
+
+/* Looks 40 ms apart. A particle that passes a belt's speed while it is thrown is not carried. */
+static void carried_is_more_than_one_look(void **state) {
+    (void)state;
+    double since = -1;
+    for (int look = 0; look < 20; look++) {
+        bool kept = keeps_speed(0.04 * look, look != 6 && look != 15, &since);
+        assert_int_equal(kept, look == 14); /* 0.28 s after look 7; 0.2 s are too short */
+    }
+    since = -1;
+    for (int look = 0; look <= 5; look++)
+        assert_int_equal(keeps_speed(0.05 * look, true, &since), look == 5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unions_have_their_mass),
@@ -190,6 +205,7 @@ int main(void) {
         cmocka_unit_test(the_scene_has_one_of_them),
         cmocka_unit_test(restitution_stands_for_the_damping_ratio),
         cmocka_unit_test(the_disc_is_cut_into_cells),
+        cmocka_unit_test(carried_is_more_than_one_look),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
