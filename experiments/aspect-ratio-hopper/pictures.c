@@ -112,6 +112,7 @@ int aspect_pictures(const aspect_study *s) {
     bad |= still(s, speed, FLOWING, false, "flowing");
     bad |= still(s, bands, SHEAR_TIME, false, "bands");
     bad |= arch_picture(s);
+    speed.panel_px = turned.panel_px = 200; /* of a film: it is looked at as a whole */
     if (s->size->films && !bad) bad = film(s, speed, "speed") | film(s, turned, "velocity-bands");
     return bad ? 4 : 0;
 }

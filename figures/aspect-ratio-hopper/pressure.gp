@@ -7,13 +7,15 @@ load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 set multiplot
 stats data.'/pressure.csv' using 4 every ::1 nooutput
-set xrange [0:1.25 * STATS_max]; set yrange [0:*] reverse
+most = STATS_max
+stats data.'/pressure.csv' using 3 every ::1 nooutput
+set xrange [0:1.25 * most]; set yrange [0:STATS_max] reverse
 do for [k=1:4] {
     left = 1.8 + 3.8 * (k - 1)
     if (k > 1) { unset label 999; unset key } else { set key at screen 0.5,1 - up(0.12) center top maxrows 1 }
     set lmargin at screen across(left); set rmargin at screen across(left + 3.4)
     set tmargin at screen 1 - up(0.9)
-    set xlabel 'load (N/m)'; set xtics 0,(STATS_max > 150 ? 100 : STATS_max > 60 ? 50 : 20)
+    set xlabel 'load (N/m)'; set xtics 0,(most > 150 ? 100 : most > 60 ? 50 : 20)
     set ylabel (k == 1 ? 'depth below the surface (cm)' : ''); set format y (k == 1 ? '%g' : '')
     K = number(system(sprintf("awk -F, '$1 == %d { v = $7 } END { print v }' '%s/pressure.csv'", k, data)))
     set label 1 sprintf('aspect %d', k) at graph 0.95,0.93 right tc rgb ink
