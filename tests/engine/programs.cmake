@@ -7,6 +7,12 @@ add_test(NAME engine_masked_libm COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FIL
     -P ${CMAKE_CURRENT_SOURCE_DIR}/engine/test_masked.cmake)
 clast_label(engine_masked_libm)
 
+# spheres and rods in a closed drum of facets: small here, 1e8 sphere-steps as its head says
+add_executable(engine_drum_leaks engine/drum_leaks.c)
+target_link_libraries(engine_drum_leaks PRIVATE test_support)
+add_test(NAME engine_drum_leaks_small COMMAND engine_drum_leaks 60 40000)
+clast_label(engine_drum_leaks_small)
+
 # the law once in plain scalar code without optimisation, and once per instruction set
 add_executable(engine_law_lanes engine/law_lanes.c)
 target_link_libraries(engine_law_lanes PRIVATE test_support)

@@ -180,90 +180,237 @@ static void a_sliver_in_a_seam_is_not_felt(void **state) {
 
 /* ---- from facet to facet --------------------------------------------------------------------- */
 
-typedef struct drum_case {
-    int facets;         /* 0: the cylinder itself, by a plane that is put anew under the sphere */
-    double speed, spin; /* m/s along the drum's wall; rad/s */
+typedef struct roll_case {
+    int facets, cuts; /* of the drum; of every facet, along the axis */
+    double speed;     /* m/s, along the wall, with the spin of rolling */
     double friction, restitution;
-    double smooth_angle;
-    int sectors; /* of every facet: how it is cut */
-} drum_case;
+    double step; /* s */
+} roll_case;
 
-typedef struct drum_run {
-    double turns;         /* rad, about the axis of the drum */
-    double energy, start; /* J, all that is not lost: at the end, at the start */
-    double jump, force;   /* N: largest change of the force within a step, largest force */
-    double spring_jump;   /* N, largest change of the length of the tangential spring */
-    double slid;          /* J, lost by friction */
-    double highest;       /* J, of motion and height */
-    size_t most, least;   /* contacts */
-} drum_run;
+enum { WAYS = 200 };
+
+typedef struct roll_result {
+    body_state end;
+    double motion, stored; /* J at the end: of motion; all that is not lost */
+    double gained;         /* J, most that there was above the start */
+    double jump, force;    /* N, largest change of the force over a seam; largest force */
+    double spring_jump;    /* N, largest change of the spring's length over a seam */
+    double spring;         /* N, longest spring */
+    double damping, slid;  /* J */
+    size_t most, least;    /* contacts */
+    int seams;             /* how often it came to another facet */
+    double start, input;   /* J, what there was at the start; of that, motion */
+    clast_vec3 way[WAYS];  /* m, places at equal times */
+} roll_result;
 
 static const double DRUM = 0.1, BALL = 0.02; /* m */
 
-static surface *drum_surface(int facets, int sectors) {
+/* A drum on its side, open at its ends, with a facet at the bottom that is not level. Every facet
+ * is cut across in two triangles, or in `cuts` pairs of them, uneven with dice. */
+static surface *drum_surface(int facets, int cuts, dice *d) {
     surface *s = empty_surface();
-    for (int i = 0; i < facets; i++) {
-        double from[2], to[2];
-        clast_sincos(2 * NUMBER_PI * (i + 0.37) / facets, &from[1], &from[0]);
-        clast_sincos(2 * NUMBER_PI * (i + 1.37) / facets, &to[1], &to[0]);
-        add_sheet(s, vec(DRUM * from[0], -0.05, DRUM * from[1]),
-                  vec(DRUM * (to[0] - from[0]), 0, DRUM * (to[1] - from[1])), vec(0, 0.1, 0), 1,
-                  sectors, NULL);
-    }
-    weld(s);
+    for (int i = 0; i < facets; i++)
+        for (int j = 0; j <= cuts; j++) {
+            double sine, cosine, y = -0.05 + 0.1 * j / cuts;
+            clast_sincos(2 * NUMBER_PI * (i + 0.37) / facets, &sine, &cosine);
+            if (d && j > 0 && j < cuts) y += roll(d, -.03, .03) / cuts;
+            add_vertex(s, vec(DRUM * cosine, y, DRUM * sine));
+        }
+    for (int i = 0; i < facets; i++)
+        for (int j = 0; j < cuts; j++) {
+            int32_t a = i * (cuts + 1) + j, b = (i + 1) % facets * (cuts + 1) + j;
+            bool other = d && roll(d, 0, 1) < .5;
+            add_face(s, a, b, other ? a + 1 : b + 1);
+            add_face(s, other ? b : a, b + 1, a + 1);
+        }
     return s;
 }
 
-static double all_energy(const clast_energy *e) {
-    return e->kinetic + e->rotational + e->gravity + e->elastic;
+/* m, of the ball by its weight and its way round the drum (density and stiffness of
+ * add_materials()). */
+static double pressed(double speed) {
+    double e_star = 1 / ((1 - .37 * .37) / 7.3e6 + (1 - .23 * .23) / 61e6);
+    double mass = 4.0 / 3 * NUMBER_PI * BALL * BALL * BALL * 1130;
+    double force = mass * (9.81 + speed * speed / (DRUM - BALL));
+    return cbrt(pow(force / (4.0 / 3 * e_star * sqrt(BALL)), 2));
 }
 
-/* A ball in a drum that lies on its side, started at its bottom with the elastic force that keeps
- * it on the path. */
-__attribute__((unused)) static drum_run roll_in_drum(const drum_case *c, int count) {
+static clast_world *drum_world(const roll_case *c, dice *d) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
-    def.gravity = vec(0, 0, -9.81), def.time_step = 5e-6;
+    def.gravity = vec(0, 0, -9.81), def.time_step = c->step;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(c->restitution, c->friction);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", BALL, m.soft);
     mesh_with(w, clast_part_add(w, &(clast_part_def){.name = "drum"}), m.hard,
-              drum_surface(c->facets, c->sectors), c->smooth_angle);
-    double height = -(DRUM - BALL + 1.3e-4);
-    add_body(w, ball, vec(0, 0.001, height), vec(c->speed, 0, 0), vec(0, c->spin, 0));
+              drum_surface(c->facets, c->cuts, d), 0);
+    add_body(w, ball, vec(0, 0.0012, -(DRUM - BALL + pressed(c->speed))), vec(c->speed, 0, 0),
+             vec(0, -c->speed / BALL, 0));
     if (clast_world_prepare(w)) fail_msg("%s", clast_world_error(w));
+    return w;
+}
+
+static double kept_energy(const clast_energy *e) {
+    return e->kinetic + e->rotational + e->gravity + e->elastic;
+}
+
+/* One step: what the one contact has become. */
+static void follow(clast_world *w, roll_result *r, clast_contact *before, double *spring) {
+    clast_contact now[4];
+    size_t contacts = clast_world_contacts(w, now, 4);
+    r->most = contacts > r->most ? contacts : r->most;
+    r->least = contacts < r->least ? contacts : r->least;
+    if (contacts != 1) return;
+    records_collect(w);
+    double length = v3_norm(w->records.items[0].history.spring);
+    if (now[0].b != before->b) {
+        r->seams++;
+        r->jump = fmax(r->jump, norm(minus(now[0].force, before->force)));
+        r->spring_jump = fmax(r->spring_jump, fabs(length - *spring));
+    }
+    r->force = fmax(r->force, norm(now[0].force));
+    r->spring = fmax(r->spring, length);
+    *before = now[0], *spring = length;
+}
+
+static roll_result run_in_drum(const roll_case *c, int count, dice *d) {
+    clast_world *w = drum_world(c, d);
     clast_energy e = clast_world_energy(w);
-    drum_run r = {.start = all_energy(&e), .least = 99};
-    clast_contact before = {.overlap = 0}, now[4];
-    double spring = 0, angle = 0;
+    double spring = 0;
+    roll_result r = {.least = 9,
+                     .gained = -INFINITY,
+                     .start = kept_energy(&e),
+                     .input = e.kinetic + e.rotational};
+    clast_contact before;
+    assert_int_equal(clast_world_contacts(w, &before, 1), 1);
     for (int i = 0; i < count; i++) {
         steps(w, 1);
-        size_t contacts = clast_world_contacts(w, now, 4);
-        r.most = contacts > r.most ? contacts : r.most;
-        r.least = contacts < r.least ? contacts : r.least;
-        if (contacts != 1) continue;
-        records_collect(w);
-        double length = v3_norm(w->records.items[0].history.spring);
-        if (before.overlap > 0) {
-            r.jump = fmax(r.jump, norm(minus(now[0].force, before.force)));
-            r.spring_jump = fmax(r.spring_jump, fabs(length - spring));
-        }
-        r.force = fmax(r.force, norm(now[0].force));
-        before = now[0], spring = length;
+        follow(w, &r, &before, &spring);
         e = clast_world_energy(w);
-        r.highest = fmax(r.highest, all_energy(&e));
-        clast_vec3 p = body_of(w, 0).position;
-        double to = atan2(p.x, -p.z);
-        r.turns += remainder(to - angle, 2 * NUMBER_PI);
-        angle = to;
+        r.gained = fmax(r.gained, kept_energy(&e) - r.start);
+        r.way[i * WAYS / count] = body_of(w, 0).position;
     }
-    e = clast_world_energy(w);
-    r.energy = all_energy(&e), r.slid = e.friction;
+    r.end = body_of(w, 0);
+    r.motion = e.kinetic + e.rotational, r.stored = kept_energy(&e);
+    r.damping = e.damping, r.slid = e.friction;
     clast_world_free(w);
     return r;
+}
+
+/* m, root of the mean square. */
+static double way_between(const roll_result *a, const roll_result *b) {
+    double sum = 0;
+    for (int i = 0; i < WAYS; i++) sum += pow(norm(minus(a->way[i], b->way[i])), 2);
+    return sqrt(sum / WAYS);
+}
+
+/* A ball rolls up and down in a drum and always has one contact; nothing is gained. Over a seam the
+ * force changes with the direction of the facet, and its dashpots with the speed at which the ball
+ * comes to it: both go with the angle of the seam. What a drum takes more than the cylinder goes
+ * with the square. The drums are fine enough that no facet rises to half of the overlap, or the
+ * ball would jump from seam to seam. */
+static void rolling_over_hollow_seams(void **state) {
+    (void)state;
+    enum { DRUMS = 5, STEPS = 30000 };
+    roll_result r[DRUMS];
+    for (int i = 0; i < DRUMS; i++) {
+        roll_case c = {512 << i, 1, 0.5, 0.5, 0.6, 1e-5};
+        r[i] = run_in_drum(&c, STEPS, NULL);
+        double seam = 2 * NUMBER_PI / c.facets, jump = r[i].jump / r[i].force;
+        print_message("%d facets: %d seams, force jumps by %.4f of itself (seam %.4f rad), spring "
+                      "by %.4f, gains %.1e J of %.1e, loses %.3e J\n",
+                      c.facets, r[i].seams, jump, seam, r[i].spring_jump / r[i].spring, r[i].gained,
+                      r[i].motion, r[i].damping);
+        assert_true(r[i].most == 1 && r[i].least == 1 && r[i].seams > 40 << i);
+        CHECK_BELOW(r[i].gained, 0);
+        CHECK_BELOW(jump, 9 * seam);
+        CHECK_BELOW(r[i].spring_jump / r[i].spring, 9 * seam);
+    }
+    double loss[3];
+    for (int i = 0; i < 3; i++)
+        loss[i] = order_of(r[i].damping - r[i + 1].damping, r[i + 1].damping - r[i + 2].damping, 2);
+    double off = way_between(&r[0], &r[4]);
+    print_message("orders of the loss: %.2f %.2f %.2f; way of the coarsest off by %.1e m\n",
+                  loss[0], loss[1], loss[2], off);
+    CHECK_NEAR(loss[2], 2, 0.1);
+    CHECK_BELOW(off, 2e-3 * DRUM);
+}
+
+/* Without loss: what a ball has, it keeps over seams of any angle, though it flies from some of
+ * them. What is missing is the integrator's, which is of first order where a force has a kink: a
+ * quarter of the step leaves no more than a half of it, and next to nothing of what is gained. */
+static void nothing_is_gained_over_seams(void **state) {
+    (void)state;
+    for (int facets = 16; facets <= 1024; facets *= 8) {
+        double gained[2], kept[2];
+        for (int fine = 0; fine < 2; fine++) {
+            roll_case c = {facets, 1, 1.5, 0, 1, fine ? 2.5e-6 : 1e-5};
+            roll_result r = run_in_drum(&c, fine ? 80000 : 20000, NULL);
+            gained[fine] = r.gained / r.input, kept[fine] = fabs(r.stored - r.start) / r.input;
+            assert_true(r.seams > 2);
+        }
+        print_message("%d facets, no loss: gained at most %.1e, with a quarter of the step %.1e; "
+                      "off at the end by %.1e, %.1e\n",
+                      facets, gained[0], gained[1], kept[0], kept[1]);
+        CHECK_BELOW(fmax(gained[0], kept[0]), 1e-3);
+        CHECK_BELOW(gained[1], 0.5 * gained[0]);
+        CHECK_BELOW(kept[1], 0.5 * fmax(kept[0], gained[0]));
+    }
+}
+
+/* ---- cut in other ways ----------------------------------------------------------------------- */
+
+/* The facets of a drum in 2, 12 and 40 triangles: the ball goes the same way. */
+static void a_drum_cut_otherwise_gives_one_trace(void **state) {
+    (void)state;
+    dice d = {23, 0};
+    roll_result want = {0};
+    for (int i = 0; i < 3; i++) {
+        roll_case c = {96, i == 0 ? 1 : i == 1 ? 6 : 20, 0.7, 0.4, 0.6, 1e-5};
+        roll_result r = run_in_drum(&c, 20000, i ? &d : NULL);
+        if (i == 0) want = r;
+        assert_true(r.seams > 5);
+        assert_int_equal(r.seams, want.seams);
+        CHECK_BELOW(norm(minus(r.end.position, want.end.position)), 1e-9 * DRUM);
+        CHECK_BELOW(norm(minus(r.end.spin, want.end.spin)), 1e-9 * norm(want.end.spin));
+        CHECK_NEAR(r.slid, want.slid, 1e-9 * want.input);
+    }
+}
+
+/* ---- sizes ----------------------------------------------------------------------------------- */
+
+/* A ball that is a thousand times as large as the facets that it touches, or a thousandth of them,
+ * feels one contact with a shallow bowl, at the depth of the bowl to the order of its facets. */
+static void large_on_small_and_small_on_large(void **state) {
+    (void)state;
+    enum { CELLS = 70 };
+    for (int i = 0; i < 7; i++) {
+        double side = pow(10, i - 3), bowl = 30 * fmax(1, side * CELLS); /* of the ball */
+        surface *s = empty_surface();
+        double wide = side * CELLS;
+        add_sheet(s, vec(-wide / 2, -wide / 2, 0), vec(wide, 0, 0), vec(0, wide, 0), CELLS, CELLS,
+                  NULL);
+        for (int v = 0; v < s->vertices; v++) {
+            clast_vec3 p = s->vertex[v];
+            s->vertex[v].z = bowl - sqrt(bowl * bowl - p.x * p.x - p.y * p.y);
+        }
+        int patches;
+        clast_world *w = feeling_world(s, 0, &patches);
+        double overlap = 0.01, at = 0.17 * wide, deep = bowl - 1 + overlap;
+        clast_vec3 centre = vec(at / bowl * deep, 0.3 * at / bowl * deep, 0);
+        centre.z = bowl - sqrt(deep * deep - centre.x * centre.x - centre.y * centre.y);
+        feeling f = feel(w, centre, 1);
+        assert_int_equal(f.walls, 1);
+        CHECK_NEAR(f.deepest, overlap, side * side / (4 * bowl) + 1e-12 * bowl);
+        clast_world_free(w);
+    }
 }
 
 TEST_MAIN(cmocka_unit_test(a_cylinder_is_felt_once),
           cmocka_unit_test(facets_for_themselves_push_twice), cmocka_unit_test(the_angle_decides),
           cmocka_unit_test(a_fillet_keeps_floor_and_wall_apart),
-          cmocka_unit_test(both_sides_of_a_tube), cmocka_unit_test(a_sliver_in_a_seam_is_not_felt))
+          cmocka_unit_test(both_sides_of_a_tube), cmocka_unit_test(a_sliver_in_a_seam_is_not_felt),
+          cmocka_unit_test(rolling_over_hollow_seams),
+          cmocka_unit_test(nothing_is_gained_over_seams),
+          cmocka_unit_test(a_drum_cut_otherwise_gives_one_trace),
+          cmocka_unit_test(large_on_small_and_small_on_large))
