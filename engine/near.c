@@ -17,7 +17,8 @@ static bool spheres_are_near(const clast_world *w, size_t i, size_t j) {
 }
 
 static bool wall_is_near(const clast_world *w, size_t sphere, int wall_index) {
-    const wall *l = &w->walls[wall_index];
+    wall room;
+    const wall *l = wall_now(w, wall_index, &room);
     const centre_row *c = &w->rows.centre[sphere];
     if (!w->parts[l->part].present) return false;
     vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
@@ -239,6 +240,7 @@ void lists_rebuild(clast_world *w) {
     carry_place(w);
     shares_cut(w);
     parallel_run(w->threads, rebuild_share, w);
+    walls_list_near(w);
     take_histories(w);
     way_restart(w, true);
     way_remember(w);

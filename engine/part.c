@@ -109,7 +109,7 @@ int clast_part_add(clast_world *w, const clast_part_def *def) {
 void parts_free(clast_world *w) {
     for (int i = 0; i < w->part_count; i++) {
         part *p = &w->parts[i];
-        memory_release(p->name), memory_release(p->walls);
+        memory_release(p->name), memory_release(p->walls), memory_release(p->near);
         memory_release(p->tree.wall), memory_release(p->tree.box), memory_release(p->tree.plane);
         memory_release((void *)p->def.table.time), memory_release((void *)p->def.table.offset);
         memory_release((void *)p->def.table.angle);

@@ -153,7 +153,9 @@ static void build_for_clump(clast_world *w, share *s, size_t slot) {
 
 /* ---- walls ----------------------------------------------------------------------------------- */
 
-static bool is_within_reach(const clast_world *w, const wall *l, size_t sphere) {
+static bool is_within_reach(const clast_world *w, int wall_index, size_t sphere) {
+    wall room;
+    const wall *l = wall_now(w, wall_index, &room);
     const centre_row *c = &w->rows.centre[sphere];
     vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
     return wall_approach(l, centre).distance < c->radius + w->skin;
@@ -179,7 +181,7 @@ static void build_walls(clast_world *w, share *s) {
         for (size_t i = first_sphere(w, slot); i < first_sphere(w, slot + 1); i++) {
             size_t begin = s->wall_reach.count;
             for (size_t k = 0; k < count; k++)
-                if (is_within_reach(w, &w->walls[s->around[k]], i))
+                if (is_within_reach(w, s->around[k], i))
                     push_wall(w, &s->wall_reach, i, s->around[k]);
             keep_touching_walls(w, s, i, begin);
         }

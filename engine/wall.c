@@ -176,6 +176,7 @@ static bool move_part(clast_world *w, part *p, double time, double velocity_time
     if (p->turns) p->turn = q_matrix(part_turn(p, p->at.angle));
     return true;
 }
+
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 static void put_row(const clast_world *w, double to[3], vec3 a) {
@@ -222,11 +223,56 @@ static void place_wall(wall *l, const part *p) {
     l->half_box = v3(l->bound, l->bound, l->bound);
 }
 
+static void place_one(clast_world *w, int wall_index) {
+    wall *l = &w->walls[wall_index];
+    place_wall(l, &w->parts[l->part]);
+    if (w->wall_rows) place_row(w, &w->wall_rows[wall_index], l);
+}
+
+static bool ever_moves(const part *p) {
+    return p->turns || p->shifts;
+}
+
+/* Of a part that moves, those in the lists alone: the others stand where they were last listed. */
 static void place_walls(clast_world *w, const part *p) {
-    for (int k = 0; k < p->wall_count; k++) {
-        wall *l = &w->walls[p->walls[k]];
-        place_wall(l, p);
-        if (w->wall_rows) place_row(w, &w->wall_rows[p->walls[k]], l);
+    bool all = !w->prepared || !ever_moves(p);
+    int count = all ? p->wall_count : p->near_count;
+    for (int k = 0; k < count; k++) place_one(w, all ? p->walls[k] : p->near[k]);
+}
+
+/* A wall as it is now, whether it is listed or not; `room` is for one that is not. */
+const wall *wall_now(const clast_world *w, int wall_index, wall *room) {
+    const wall *l = &w->walls[wall_index];
+    const part *p = &w->parts[l->part];
+    if (!ever_moves(p)) return l;
+    *room = *l;
+    place_wall(room, p);
+    return room;
+}
+
+static void list_near(clast_world *w, int wall_index) {
+    part *p = &w->parts[w->walls[wall_index].part];
+    if (w->walls[wall_index].near || !ever_moves(p)) return;
+    if (p->near_count == p->near_capacity) {
+        int now = 2 * p->near_capacity + 8;
+        p->near = memory_grow(w, p->near, (size_t)p->near_capacity, (size_t)now, sizeof *p->near);
+        p->near_capacity = now;
+    }
+    p->near[p->near_count++] = wall_index;
+    w->walls[wall_index].near = true;
+    place_one(w, wall_index);
+}
+
+/* Which walls go with their parts from here on. Needs new reach lists. */
+void walls_list_near(clast_world *w) {
+    for (int i = 0; i < w->part_count; i++) {
+        part *p = &w->parts[i];
+        for (int k = 0; k < p->near_count; k++) w->walls[p->near[k]].near = false;
+        p->near_count = 0;
+    }
+    for (int t = 0; t < w->threads; t++) {
+        const wall_reach *l = &w->shares[t].wall_reach;
+        for (size_t k = 0; k < l->count; k++) list_near(w, l->wall[k]);
     }
 }
 

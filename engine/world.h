@@ -190,6 +190,7 @@ typedef struct part {
     double wall_way;    /* m, that the lists must allow for the last move */
     double wall_step;   /* m, that no place of its plates and patches has moved farther by it */
     int *walls, wall_count;
+    int *near, near_count, near_capacity; /* those in the reach lists, of a part that moves */
     part_push push;    /* of the last evaluation */
     double work_total; /* J, done on the bodies so far */
     wall_tree tree;
@@ -205,11 +206,12 @@ typedef struct wall {
     char *name;
     int part;
     clast_wall_def def;  /* at t = 0 */
-    vec3 u, v, n;        /* now; plate, patch: sides and normal */
+    vec3 u, v, n;        /* now, where it is near; plate, patch: sides and normal */
     vec3 u_home, v_home; /* the sides in the frame of the part; the normal is that of def */
-    vec3 point;          /* now */
-    vec3 belt;           /* m/s, now */
+    vec3 point;          /* likewise */
+    vec3 belt;           /* m/s, likewise */
     bool pushes;         /* its part moves or it has a belt: its work is booked */
+    bool near;           /* in the near ones of its part */
     double bound;        /* m, plate, patch: radius about the point that holds it all */
     vec3 half_box;       /* m, of the box about the point, likewise */
     patch patch;
@@ -594,6 +596,8 @@ void walls_make_rows(clast_world *w);
 void walls_group(clast_world *w);
 void walls_move(clast_world *w);
 void walls_move_to(clast_world *w, double time);
+const wall *wall_now(const clast_world *w, int wall_index, wall *room);
+void walls_list_near(clast_world *w);
 bool wall_pushes(const clast_world *w, const wall *l);
 
 /* wall_tree.c: which walls are where */

@@ -7,7 +7,7 @@
  * small; 1e8 sphere-steps are `drum_leaks 1000 80000`. */
 #include "tests/support/surface.h"
 
-#include "engine/geometry.h"
+#include "engine/part.h"
 #include "engine/numbers.h"
 
 static const double R = 0.003; /* m */
@@ -69,15 +69,15 @@ static int fill(const drum *d, int bodies) {
     return placed;
 }
 
-/* Every sphere has its centre inside of every facet, seen from the frame of the drum. */
+/* Every sphere has its centre inside of every facet, in the frame of the drum. */
 static bool all_inside(const drum *d, const double *side) {
     const clast_world *w = d->w;
     for (size_t i = 0; i < w->sphere_count; i++) {
         const centre_row *c = &w->rows.centre[i];
+        vec3 centre = part_in(&w->parts[d->part], v3(c->x, c->y, c->z));
         for (int k = d->first_wall; k < w->wall_count; k++) {
-            const wall *l = &w->walls[k];
-            vec3 from = v3_sub(v3(c->x, c->y, c->z), l->point);
-            if (v3_dot(from, l->n) * side[k] > 0) continue;
+            const clast_wall_def *l = &w->walls[k].def;
+            if (v3_dot(v3_sub(centre, l->point), l->normal) * side[k] > 0) continue;
             fprintf(stderr, "step %llu: sphere %zu is outside of facet %d\n",
                     (unsigned long long)w->step, i, k);
             return false;
@@ -91,9 +91,8 @@ static bool runs(drum *d, uint64_t wanted) {
     double *side = calloc((size_t)w->wall_count, sizeof *side);
     if (!side) abort();
     if (clast_world_prepare(w)) return fprintf(stderr, "%s\n", clast_world_error(w)), false;
-    vec3 middle = w->parts[d->part].at.offset;
     for (int k = d->first_wall; k < w->wall_count; k++)
-        side[k] = v3_dot(v3_sub(middle, w->walls[k].point), w->walls[k].n);
+        side[k] = -v3_dot(w->walls[k].def.point, w->walls[k].def.normal);
     bool inside = true;
     for (uint64_t i = 0; i < wanted && inside; i++) {
         if (clast_world_step(w)) {

@@ -75,17 +75,20 @@ static size_t check_walls_of(const clast_world *w, size_t sphere, const key_list
     const centre_row *c = &w->rows.centre[sphere];
     vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
     wall_touch touch[64];
+    wall room[64];
     size_t count = 0, felt = 0;
+    int own[64];
     for (int i = 0; i < w->wall_count; i++) {
         if (!w->parts[w->walls[i].part].present) continue;
         assert_true(count < sizeof touch / sizeof *touch);
-        touch[count] = touch_of_wall(&w->walls[i], centre, c->radius);
+        touch[count] = touch_of_wall(wall_now(w, i, &room[count]), centre, c->radius);
+        own[count] = i;
         count += touch[count].overlap > 0;
     }
     touches_settle(touch, count, centre);
     for (size_t i = 0; i < count; i++) {
         if (touch[i].hidden) continue;
-        demand_entry(k, sphere, (size_t)(touch[i].wall - w->walls), "sphere and wall", seed, w);
+        demand_entry(k, sphere, (size_t)own[i], "sphere and wall", seed, w);
         felt++;
     }
     return felt;
