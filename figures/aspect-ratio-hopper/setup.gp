@@ -1,7 +1,7 @@
 # title: The hopper, its chamber, and where it is looked at
 # counterpart: A00 Figs 5.1 and 5.10
 # needs: tracks.csv pressure.csv
-# caption: To scale. The orifice is 70 % of the width, the chamber twice as deep as the hopper is wide; its walls stand only in the source's figure and are taken as those of the hopper. Left: the ten partitions of the side wall, tenths of the height H of the bed at rest. Dots: the nine particles that are followed. Right: the three regions of the energy ratio.
+# caption: To scale. The orifice is 70 % of the width, the chamber twice as deep as the hopper is wide; its side walls are those of the hopper (A00 2.5.3). Left: the ten partitions of the side wall, tenths of the height H of the bed at rest. Dots: the nine particles that are followed. Right: the three regions of the energy ratio.
 width = 8.2; height = 9.6
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'

@@ -2,7 +2,7 @@
 # counterpart: A00 Fig. 5.3
 # needs: cells.csv
 # caption: Number of centroids in a cell times the area of a particle, over the area of the cell, as in the source; beds at rest, before the orifice opens. Cells of the surface are partly empty.
-width = 17; height = 12.6
+width = 17; height = 13
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 set multiplot
@@ -17,7 +17,7 @@ do for [k=1:4] {
     if (k > 1) { unset label 999 }
     left = 1.9 + 3.4 * (k - 1)
     set lmargin at screen across(left); set rmargin at screen across(left + 3.2)
-    set bmargin at screen up(1.4); set tmargin at screen 1 - up(0.7)
+    set bmargin at screen up(1.8); set tmargin at screen 1 - up(0.7)
     set ylabel (k == 1 ? 'z (cm)' : '')
     if (k > 1) { set format y '' }
     set title 'aspect '.k offset 0,-0.5

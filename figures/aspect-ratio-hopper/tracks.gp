@@ -2,7 +2,7 @@
 # counterpart: A00 Fig. 5.11
 # needs: tracks.csv
 # caption: From their places at rest (dots) through the orifice; left, centre and right column, colour by height. One run per shape.
-width = 17; height = 11.4
+width = 17; height = 11.8
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 array tone[3] = ['#1a1a1a', '#009E73', '#D55E00']
@@ -17,7 +17,7 @@ do for [k=1:4] {
     if (k > 1) { unset label 999 }
     left = 1.8 + 3.8 * (k - 1)
     set lmargin at screen across(left); set rmargin at screen across(left + 3.5)
-    set bmargin at screen up(1.4); set tmargin at screen 1 - up(0.7)
+    set bmargin at screen up(1.8); set tmargin at screen 1 - up(0.7)
     set ylabel (k == 1 ? 'z (cm)' : ''); if (k > 1) { set format y '' }
     set title 'aspect '.k offset 0,-0.5
     set arrow 1 from -side,0 to -slot,0 nohead lw 3 lc rgb experiment

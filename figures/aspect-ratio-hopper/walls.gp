@@ -2,7 +2,7 @@
 # counterpart: A00 Fig. 5.19
 # needs: walls.csv
 # caption: Left wall, tenths of the height of the bed at rest, 1 is the lowest; from the opening on. One run per shape.
-width = 17; height = 10.4
+width = 17; height = 10.7
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'
 array tone[10] = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#a5c92f', '#d8c41a']
@@ -17,7 +17,7 @@ set yrange [0:top]
 do for [k=1:4] {
     left = k % 2 == 1 ? 1.7 : 9.6
     set lmargin at screen across(left); set rmargin at screen across(left + 7)
-    set bmargin at screen up(k <= 2 ? 5.75 : 1.5); set tmargin at screen 1 - up(k <= 2 ? 0.95 : 5.2)
+    set bmargin at screen up(k <= 2 ? 5.95 : 1.8); set tmargin at screen 1 - up(k <= 2 ? 0.95 : 5.2)
     set xlabel (k > 2 ? 'time (s)' : ''); set ylabel (k % 2 == 1 ? 'force (N)' : '')
     set label 1 'aspect '.k at graph 0.97,0.93 right tc rgb ink
     if (k > 1) { unset label 999; do for [p=20:30] { unset label p } }
