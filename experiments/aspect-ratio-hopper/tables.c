@@ -268,10 +268,6 @@ static int write_heaps(const aspect_study *s) {
     return output_close(f);
 }
 
-static double angle_k(const aspect_case *c, int k) {
-    return c->flow.angle[k];
-}
-
 static int write_angles(const aspect_study *s) {
     FILE *f = output_table(s->data, "angles.csv", "shape,replicate,time_s,angle_deg");
     if (!f) return 4;
@@ -279,7 +275,7 @@ static int write_angles(const aspect_study *s) {
         for (int r = 0; r < REPLICATES_MAX; r++) {
             const aspect_case *c = case_of(s, shape, CHEAP, 0, r);
             for (int k = 0; k < SHEAR_TIMES && c; k++)
-                fprintf(f, "%s,%d,%g,%.4g\n", c->chain.name, r + 1, SHEAR_AT[k], angle_k(c, k));
+                fprintf(f, "%s,%d,%g,%.4g\n", c->chain.name, r + 1, SHEAR_AT[k], c->flow.angle[k]);
         }
     return output_close(f);
 }
