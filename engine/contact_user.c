@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "engine/clast_law.h"
+#include "engine/fnv.h"
 #include "engine/numbers.h"
 
 /* ---- loading --------------------------------------------------------------------------------- */
@@ -30,13 +31,10 @@ static clast_status check_entry(clast_world *w, const char *path, const char *na
     return CLAST_OK;
 }
 
-/* A checkpoint goes on under the law that it was made with (FNV-1a). */
+/* A checkpoint goes on under the law that it was made with. */
 static uint64_t hash_of_file(const char *path) {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    FILE *f = fopen(path, "rb");
-    for (int c; f && (c = getc(f)) != EOF;)
-        hash = (hash ^ (unsigned char)c) * UINT64_C(0x100000001b3);
-    if (f) fclose(f);
+    uint64_t hash = FNV_START;
+    fnv_file(&hash, path);
     return hash;
 }
 

@@ -6,21 +6,6 @@ function escape(s) {
     return s
 }
 
-function split_csv(line, f,    n, c, quoted, i) {
-    split("", f)
-    n = 1; f[1] = ""
-    for (i = 1; i <= length(line); i++) {
-        c = substr(line, i, 1)
-        if (c == "\"") {
-            if (quoted && substr(line, i + 1, 1) == "\"") { f[n] = f[n] c; i++ }
-            else quoted = !quoted
-        }
-        else if (c == "," && !quoted) f[++n] = ""
-        else f[n] = f[n] c
-    }
-    return n
-}
-
 function exists(file,    line, found) {
     found = (getline line < file) >= 0
     close(file)
@@ -236,7 +221,19 @@ function table(rest,    part, head, line, f, i, n, at, key, value, rows, last) {
     else printf "<p class=\"missing\">%s</p>\n", fill(part[4])
 }
 
-function facts(    keys, n, i, key, file, links) {
+# Every table of the study, whatever its name.
+function tables(    list, file, links, name) {
+    list = "ls '" out "/" study "/data/' 2>/dev/null"
+    while ((list | getline name) > 0) {
+        if (name !~ /\.csv$/) continue
+        file = study "/data/" name
+        links = links " <a href=\"" file "\">" name "</a>"
+    }
+    close(list)
+    return links
+}
+
+function facts(    keys, n, i, key) {
     n = split("size replicates particles spheres_per_particle step worst_residual wall_s engine hash", keys, " ")
     print "<table class=\"facts\"><tbody>"
     for (i = 1; i <= n; i++) {
@@ -245,12 +242,7 @@ function facts(    keys, n, i, key, file, links) {
         gsub(/_/, " ", key); sub(/wall s/, "wall time (s)", key); sub(/worst residual/, "largest energy residual", key)
         printf "<tr><th>%s</th><td>%s</td></tr>\n", key, escape(about[keys[i]])
     }
-    n = split("verdicts summary rates cumulative beverloo velocity_samples velocity_fit surface sensitivity profile curves scan restitution schemes errors statements onset positions steps approach theory limits quiet orders slopes points picks button_runs discharge", keys, " ")
-    for (i = 1; i <= n; i++) {
-        file = study "/data/" keys[i] ".csv"
-        if (exists(out "/" file)) links = links " <a href=\"" file "\">" keys[i] ".csv</a>"
-    }
-    printf "<tr><th>data</th><td>%s</td></tr>\n</tbody></table>\n", links
+    printf "<tr><th>data</th><td>%s</td></tr>\n</tbody></table>\n", tables()
 }
 
 # ---- the page --------------------------------------------------------------------------------------------

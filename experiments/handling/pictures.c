@@ -60,7 +60,7 @@ static int film(const handling_study *s, scene_kind kind) {
 }
 
 int handling_pictures(const handling_study *s) {
-    int bad = pictures_of_bin(s);
+    int bad = pictures_of_bin(s, NULL);
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
         bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), time_of(s, &STILLS[i]), STILLS[i].name,
                     STILLS[i].kind == MIXTURE ? "body" : "speed");

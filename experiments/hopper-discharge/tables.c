@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "engine/fnv.h"
 #include "experiments/hopper-discharge/discharge.h"
 #include "experiments/study/output.h"
 #include "experiments/study/published.h"
@@ -167,11 +168,10 @@ static int write_sensitivity(const discharge_study *s) {
 
 /* Of all results, in the order of the runs. */
 static uint64_t hash_of(const discharge_study *s) {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    uint64_t hash = FNV_START;
     for (int i = 0; i < s->runs; i++) {
         const double numbers[2] = {s->run[i].flow.residence_all, s->run[i].flow.energy_worst};
-        const unsigned char *b = (const unsigned char *)numbers;
-        for (size_t k = 0; k < sizeof numbers; k++) hash = (hash ^ b[k]) * UINT64_C(0x100000001b3);
+        hash = fnv_bytes(hash, numbers, sizeof numbers);
     }
     return hash;
 }

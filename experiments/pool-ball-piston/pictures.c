@@ -19,6 +19,6 @@ int piston_pictures(const piston_study *s) {
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
         bad |= picture_still(CLAST_COMMAND, g->model.folder, STILLS[i].time, folder, STILLS[i].name,
                              "body");
-    bad |= picture_movie(CLAST_COMMAND, g->model.folder, folder, "piston", "body");
+    bad |= picture_movie(CLAST_COMMAND, g->model.folder, folder, "piston", "body", NULL);
     return bad ? 4 : 0;
 }

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "digest.h"
+#include "engine/fnv.h"
 #include "experiments/run/folder.h"
 #include "experiments/run/run.h"
 
@@ -26,33 +27,18 @@ void job_set(job *j, const char *format, ...) {
 
 /* ---- names ----------------------------------------------------------------------------------- */
 
-static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count) {
-    const unsigned char *b = bytes;
-    for (size_t i = 0; i < count; i++) hash = (hash ^ b[i]) * UINT64_C(0x100000001b3);
-    return hash;
-}
-
-static uint64_t hash_file(uint64_t hash, const char *path) {
-    FILE *f = fopen(path, "rb");
-    if (!f) {
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+void jobs_name(job *j, const char *root) {
+    uint64_t hash = FNV_START;
+    if (!fnv_file(&hash, j->scene)) {
+        fprintf(stderr, "%s: %s\n", j->scene, strerror(errno));
         exit(4);
     }
-    char buffer[4096];
-    size_t n;
-    while ((n = fread(buffer, 1, sizeof buffer, f)) > 0) hash = hash_bytes(hash, buffer, n);
-    fclose(f);
-    return hash;
-}
-
-void jobs_name(job *j, const char *root) {
-    uint64_t hash = hash_file(UINT64_C(0xcbf29ce484222325), j->scene);
     for (int i = 0; i < j->set_count; i++) {
         const char *value = j->set[i], *slash = strrchr(value, '/');
         /* of a path, the name counts: it holds the hash of what is in it */
-        hash = hash_bytes(hash, slash ? slash : value, strlen(slash ? slash : value) + 1);
+        hash = fnv_bytes(hash, slash ? slash : value, strlen(slash ? slash : value) + 1);
     }
-    hash = hash_bytes(hash, ENGINE_DIGEST, sizeof ENGINE_DIGEST);
+    hash = fnv_bytes(hash, ENGINE_DIGEST, sizeof ENGINE_DIGEST);
     snprintf(j->folder, JOB_FOLDER, "%s/%s-%016" PRIx64, root, j->label, hash);
 }
 

@@ -62,10 +62,13 @@ static bool has_ffmpeg(void) {
 }
 
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
-                  const char *colour) {
+                  const char *colour, const char *speed_max) {
     char out[PATH_ROOM], movie[PATH_ROOM + 8];
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(movie, sizeof movie, "%s.mp4", out);
-    return command((const char *const[]){clast, "render", run, "--out", out, "--colour", colour,
-                                         has_ffmpeg() ? "--animation" : NULL, movie, NULL});
+    const char *arguments[12] = {clast, "render", run, "--out", out, "--colour", colour};
+    int n = 7;
+    if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
+    if (has_ffmpeg()) arguments[n++] = "--animation", arguments[n++] = movie;
+    return command(arguments);
 }

@@ -1,7 +1,7 @@
 /* pictures.h - frames and films of runs, by the `clast render` command that users have.
  *
  *     picture_still(CLAST_COMMAND, run, 1.5, "build/frames", "half-way", "speed");
- *     picture_movie(CLAST_COMMAND, run, "build/frames", "flow", "speed");
+ *     picture_movie(CLAST_COMMAND, run, "build/frames", "flow", "speed", "2");
  *
  * Each returns 0, or the exit code of the command, or 4 when a file cannot be written. */
 #ifndef CLAST_STUDY_PICTURES_H
@@ -11,8 +11,10 @@
 int picture_still(const char *clast, const char *run, double time, const char *folder,
                   const char *name, const char *colour);
 
-/* All frames as <folder>/<name>/frame-*.png, and <folder>/<name>.mp4 where there is ffmpeg. */
+/* All frames as <folder>/<name>/frame-*.png, and <folder>/<name>.mp4 where there is ffmpeg.
+ * speed_max: m/s as text, the end of the scale of the colour `speed` in all frames; NULL: that of
+ * the run. */
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
-                  const char *colour);
+                  const char *colour, const char *speed_max);
 
 #endif

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "engine/check.h"
+#include "engine/fnv.h"
 #include "experiments/run/folder.h"
 #include "experiments/study/jobs.h"
 
@@ -61,15 +62,6 @@ char *tune_text(const tune *t, setting s) {
     return text;
 }
 
-static uint64_t hash_file(const char *path) {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    FILE *f = fopen(path, "rb");
-    for (int c; f && (c = getc(f)) != EOF;)
-        hash = (hash ^ (unsigned char)c) * UINT64_C(0x100000001b3);
-    if (f) fclose(f);
-    return hash;
-}
-
 /* Pilots lie elsewhere, so files that the scene names get their full path. What is in them is named
  * by its hash in a comment: another start, or another law, is another run. */
 static void name_file(scene_edit *e, scene_parameters *parameters, const char *scene_path,
@@ -85,7 +77,8 @@ static void name_file(scene_edit *e, scene_parameters *parameters, const char *s
     const char *full = found[0] == '/' ? found : scene_print(e->arena, "%s/%s", here, found);
     scene_edit_replace(e, node, scene_print(e->arena, "'%s'", full));
     char *checkpoint = path_in(full, FILE_CHECKPOINT);
-    uint64_t hash = hash_file(path_exists(checkpoint) ? checkpoint : full);
+    uint64_t hash = FNV_START;
+    fnv_file(&hash, path_exists(checkpoint) ? checkpoint : full);
     scene_append(notes, "# %s holds %016" PRIx64 "\n", text, hash);
     free(checkpoint);
 }

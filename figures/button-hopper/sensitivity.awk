@@ -2,16 +2,6 @@
 #   head   D                                               row
 #   row    assumption variant change half row note where   (% of the baseline of its orifice)
 # An assumption is named once for its variants; note says what has no rate.
-function split_csv(line, f,    n, c, quoted, i) {
-    n = 1; f[1] = ""
-    for (i = 1; i <= length(line); i++) {
-        c = substr(line, i, 1)
-        if (c == "\"") quoted = !quoted
-        else if (c == "," && !quoted) f[++n] = ""
-        else f[n] = f[n] c
-    }
-    return n
-}
 NR > 1 {
     split_csv($0, f)
     if (f[4] != orifice) {

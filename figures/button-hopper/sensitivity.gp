@@ -2,7 +2,7 @@
 # counterpart: none, the source has no such study
 # needs: sensitivity.csv
 # caption: Change of the steady rate when one assumption is changed, with the 95 % interval of the variant's mean; each block belongs to one orifice, the grey strip is the interval of its baseline. Runs without a rate (blocked, or no linear part) are counted beside the point.
-command = sprintf("awk -f '%s/button-hopper/sensitivity.awk' '%s/sensitivity.csv'", tools, data)
+command = sprintf("awk -f '%s/csv.awk' -f '%s/button-hopper/sensitivity.awk' '%s/sensitivity.csv'", tools, tools, data)
 field(kind, n, column) = system(sprintf("%s | awk -F '\\t' '$1 == \"%s\" && ++n == %d { print $%d }'", command, kind, n, column))
 lines(kind) = system(sprintf("%s | awk -F '\\t' '$1 == \"%s\" { n++ } END { print n + 0 }'", command, kind)) + 0
 bottom = system(sprintf("%s | awk -F '\\t' '$1 == \"row\" { n = $6 } END { print n }'", command)) + 0

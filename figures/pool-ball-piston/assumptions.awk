@@ -1,15 +1,5 @@
 # assumptions.csv to tab-separated records: assumption (once for its variants), variant, distance, P, row.
 # The baseline is what all are held against and is left out.
-function split_csv(line, f,    n, c, quoted, i) {
-    n = 1; f[1] = ""
-    for (i = 1; i <= length(line); i++) {
-        c = substr(line, i, 1)
-        if (c == "\"") quoted = !quoted
-        else if (c == "," && !quoted) f[++n] = ""
-        else f[n] = f[n] c
-    }
-    return n
-}
 NR > 2 {
     split_csv($0, f)
     sub(/ us /, " µs ", f[2]); sub(/ deg/, "°", f[2])

@@ -8,7 +8,7 @@ load style
 set lmargin at screen across(9.6); set tmargin at screen 1 - up(0.2)
 unset ytics; set grid xtics noytics; set border 1
 set yrange [count + 0.6:0.4]; set xrange [0:*]; set xlabel 'distance of the mean tracks (mm)'
-command = sprintf("awk -f '%s/pool-ball-piston/assumptions.awk' '%s/assumptions.csv'", tools, data)
+command = sprintf("awk -f '%s/csv.awk' -f '%s/pool-ball-piston/assumptions.awk' '%s/assumptions.csv'", tools, tools, data)
 field(n, k) = system(sprintf("%s | awk -F '\\t' 'NR == %d { print $%d }'", command, n, k))
 do for [n=1:count] {
     set label 100 + n field(n, 1) at screen across(0.2), first n left tc rgb ink noenhanced
