@@ -55,12 +55,12 @@ static int film(const handling_study *s, scene_kind kind) {
     const handling_run *run =
         kind == BIN ? flow_of(s, 0, SHAPES / 2, ORIFICES - 1, 0) : run_of(s, kind, 0, 0);
     return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind],
-                               kind == MIXTURE ? "body" : "speed")
+                               kind == MIXTURE ? "body" : "speed", NULL)
                : 0;
 }
 
 int handling_pictures(const handling_study *s) {
-    int bad = pictures_of_bin(s, NULL);
+    int bad = pictures_of_bin(s);
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
         bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), time_of(s, &STILLS[i]), STILLS[i].name,
                     STILLS[i].kind == MIXTURE ? "body" : "speed");
