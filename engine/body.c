@@ -12,11 +12,16 @@ quat body_orientation(const clast_world *w, size_t slot) {
     return (quat){b->qw[slot], b->qx[slot], b->qy[slot], b->qz[slot]};
 }
 
-/* A position that is not a number is outside. */
+/* A position that is not a number is outside. Along a periodic axis one that cannot be brought back
+ * is; one that can is so, or is about to be. */
 bool body_is_outside(const clast_world *w, size_t slot) {
     vec3 p = body_position(w, slot), lo = w->def.domain_min, hi = w->def.domain_max;
-    return !(p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z &&
-             p.z <= hi.z);
+    bool outside = false;
+    for (int k = 0; k < 3; k++) {
+        double more = 1e3 * w->period.length[k], x = v3_at(p, k);
+        outside |= !(x >= v3_at(lo, k) - more && x <= v3_at(hi, k) + more);
+    }
+    return outside;
 }
 
 /* Spin of a body with this angular momentum, omega = R I^-1 R^T L, with the bits of the kernel. */
@@ -43,6 +48,9 @@ void body_reserve(clast_world *w, size_t count) {
 #define X(type, name) b->name = memory_grow(w, b->name, b->capacity, capacity, sizeof(type));
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++)
+        if (w->def.periodic[k])
+            b->image[k] = memory_grow(w, b->image[k], b->capacity, capacity, sizeof *b->image[k]);
     b->capacity = capacity;
 }
 
@@ -61,6 +69,8 @@ void body_permute(clast_world *w, const uint32_t *order) {
 #define X(type, name) permute_column(b->name, sizeof(type), order, b->count, scratch);
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) permute_column(b->image[k], sizeof *b->image[k], order, b->count, scratch);
     integrator_permute(w, order, scratch);
     memory_release(scratch), memory_return(w, room);
     for (size_t i = 0; i < b->count; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
@@ -75,6 +85,8 @@ void body_remove(clast_world *w, size_t slot) {
 #define X(type, name) b->name[slot] = b->name[last];
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) b->image[k][slot] = b->image[k][last];
     integrator_move(w, slot, last);
     if (slot != last) w->slot_of_id[b->id[slot]] = (int32_t)slot;
     b->count = last;
@@ -127,6 +139,8 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
     b->id[i] = new_id(w);
     b->shape[i] = def->shape;
     store_pose(b, i, def->position, q);
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) b->image[k][i] = 0;
     store_motion(b, i, def->velocity, m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)));
     w->slot_of_id[b->id[i]] = (int32_t)i;
     return (int)b->id[i];

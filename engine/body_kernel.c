@@ -195,6 +195,8 @@ static void move(clast_world *w, block *b, kernel_columns c, int count, findings
 void CLAST_BODY_KERNEL(clast_world *w, share *s) {
     kernel_columns all = columns_of(w);
     findings found = {0};
+    exact_sum unwrapped = {0, 0};
+    bool lost = false;
     block b;
     bool one_shape = w->special.one_shape;
     for (int i = 0; i < BLOCK && one_shape; i++) load_shape(w, &b, i, &w->shapes[0]);
@@ -206,6 +208,10 @@ void CLAST_BODY_KERNEL(clast_world *w, share *s) {
         kernel_columns here = columns_from(all, begin);
         take_loads(w->rows.loads + begin, &b, count);
         move(w, &b, here, count, &found);
+        if (w->period.any && found.outside) {
+            lost |= bodies_wrap(w, begin, begin + (size_t)count, &unwrapped);
+            found.outside = lost;
+        }
         store_motion(w->rows.motion + begin, &b, here, count);
         if (w->special.clumps)
             place_spheres(w, &all, begin, begin + (size_t)count);
@@ -214,6 +220,7 @@ void CLAST_BODY_KERNEL(clast_world *w, share *s) {
     }
     s->body_tally = (body_tally){.global = {found.global_coarse, found.global_fine},
                                  .contact = {found.work_coarse, found.work_fine},
+                                 .unwrapped = unwrapped,
                                  .way = found.bad ? INFINITY : found.way,
                                  .outside = found.outside};
 }

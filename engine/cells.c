@@ -24,26 +24,37 @@ static int cells_along(span s, double size) {
     return n > 2048 ? 2048 : n > 1 ? (int)n : 1; /* one, too, when there is nothing to span */
 }
 
+/* Of at least that size; a periodic axis has cells over its whole length, and no rest. */
+static cell_axis axis_of(span s, double size, double length) {
+    if (length == 0) return (cell_axis){s.low, size, cells_along(s, size), false};
+    double n = floor(length / size);
+    int count = n > 2048 ? 2048 : n > 1 ? (int)n : 1;
+    return (cell_axis){s.low, length / count, count, true};
+}
+
+static span span_along(const clast_world *w, const double *x, int axis) {
+    double low = v3_at(w->def.domain_min, axis), high = v3_at(w->def.domain_max, axis);
+    if (w->period.length[axis] > 0) return (span){low, high};
+    return span_of(x, w->bodies.count, low, high);
+}
+
 /* Cells at least `reach` wide, and no more of them than a few per body. */
 static cell_grid cells_grid(const clast_world *w, double reach) {
     const body_store *b = &w->bodies;
-    vec3 from = w->def.domain_min, to = w->def.domain_max;
-    span x = span_of(b->x, b->count, from.x, to.x), y = span_of(b->y, b->count, from.y, to.y),
-         z = span_of(b->z, b->count, from.z, to.z);
-    cell_grid g = {.low = v3(x.low, y.low, z.low), .size = reach};
-    for (;; g.size *= 1.25) {
-        g.nx = cells_along(x, g.size);
-        g.ny = cells_along(y, g.size);
-        g.nz = cells_along(z, g.size);
-        size_t cells = (size_t)g.nx * (size_t)g.ny * (size_t)g.nz;
-        bool wide = g.nx < 2048 && g.ny < 2048 && g.nz < 2048;
+    const double *length = w->period.length;
+    span x = span_along(w, b->x, 0), y = span_along(w, b->y, 1), z = span_along(w, b->z, 2);
+    for (double size = reach;; size *= 1.25) {
+        cell_grid g = {axis_of(x, size, length[0]), axis_of(y, size, length[1]),
+                       axis_of(z, size, length[2])};
+        size_t cells = (size_t)g.x.count * (size_t)g.y.count * (size_t)g.z.count;
+        bool wide = g.x.count < 2048 && g.y.count < 2048 && g.z.count < 2048;
         if (wide && cells <= 4 * b->count + 64) return g;
     }
 }
 
 static uint32_t cell_of(const cell_grid *g, double x, double y, double z) {
     cell_place p = cell_at(g, x, y, z);
-    return ((uint32_t)p.k * (uint32_t)g->ny + (uint32_t)p.j) * (uint32_t)g->nx + (uint32_t)p.i;
+    return (uint32_t)(row_of_cells(g, p.j, p.k) + (size_t)p.i);
 }
 
 static void reserve(clast_world *w, size_t cells) {
@@ -58,7 +69,7 @@ static void reserve(clast_world *w, size_t cells) {
 void cells_sort(clast_world *w, double reach) {
     body_store *b = &w->bodies;
     cell_grid g = cells_grid(w, reach);
-    size_t cells = (size_t)g.nx * (size_t)g.ny * (size_t)g.nz;
+    size_t cells = (size_t)g.x.count * (size_t)g.y.count * (size_t)g.z.count;
     reserve(w, cells);
     size_t scratch = 2 * b->count * sizeof(uint32_t);
     uint32_t *first = w->cells.cell_first, *cell = memory_grow(w, NULL, 0, scratch, 1);

@@ -13,7 +13,7 @@
 #include "engine/hdf5_io.h"
 #include "engine/world.h"
 
-enum { FORMAT_VERSION = 3 };
+enum { FORMAT_VERSION = 4 };
 #define FORMAT_NAME "clast checkpoint"
 
 enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };
@@ -37,6 +37,7 @@ typedef struct saved {
     char *scene, *wall_names;
 } saved;
 
+static const char *const IMAGE[] = {"/bodies/image_x", "/bodies/image_y", "/bodies/image_z"};
 static const char *const NOW[] = {"/now/vx", "/now/vy", "/now/vz", "/now/wx", "/now/wy", "/now/wz"};
 
 /* ---- the scene in lines ---------------------------------------------------------------------- */
@@ -74,6 +75,8 @@ static void describe_world(FILE *t, const clast_world *w) {
     fprintf(t, "domain %.17g %.17g %.17g to %.17g %.17g %.17g, outside %d\n", d->domain_min.x,
             d->domain_min.y, d->domain_min.z, d->domain_max.x, d->domain_max.y, d->domain_max.z,
             (int)d->outside);
+    for (int k = 0; k < 3; k++)
+        if (d->periodic[k]) fprintf(t, "periodic along %c\n", "xyz"[k]);
     fprintf(t, "seed %llu\n", (unsigned long long)d->seed);
 }
 
@@ -228,6 +231,8 @@ static void save_bodies(h5_file *f, clast_world *w) {
     save_column(f, "/bodies/" #name, TYPE_OF(type), sizeof(type), b->name, slots, b->count);
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) save_column(f, IMAGE[k], H5_I32, 4, b->image[k], slots, b->count);
     clast_bodies v = clast_world_bodies(w);
     const double *now[] = {v.vx, v.vy, v.vz, v.wx, v.wy, v.wz};
     for (int i = 0; i < 6; i++) save_column(f, NOW[i], H5_F64, 8, now[i], slots, b->count);
@@ -341,6 +346,12 @@ static void read_bodies(h5_file *f, saved *s, bool to_inherit) {
     h5_read(f, "/bodies/" #name, TYPE_OF(type), n, s->bodies.name);
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++) {
+        if (!h5_has(f, IMAGE[k])) continue;
+        s->bodies.image[k] = calloc(n + 1, sizeof *s->bodies.image[k]);
+        CLAST_ASSERT(s->bodies.image[k]);
+        h5_read(f, IMAGE[k], H5_I32, n, s->bodies.image[k]);
+    }
     for (int i = 0; i < 6 && to_inherit; i++) {
         s->now[i] = calloc(n + 1, sizeof(double));
         CLAST_ASSERT(s->now[i]);
@@ -412,6 +423,7 @@ static void saved_free(saved *s) {
 #define X(type, name) free(s->bodies.name);
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++) free(s->bodies.image[k]);
     for (int i = 0; i < 6; i++) free(s->now[i]);
     free(s->records);
     free(s->part_work);
@@ -491,6 +503,16 @@ static const char *fault_of_indices(const clast_world *w, const saved *s, const 
 
 /* ---- loading --------------------------------------------------------------------------------- */
 
+/* A file without them is damaged, as its hash will show. */
+static void install_image(clast_world *w, saved *s, int axis) {
+    int32_t **to = &w->bodies.image[axis], **from = &s->bodies.image[axis];
+    size_t room = s->bodies.count + 1;
+    memory_return(w, w->bodies.capacity * sizeof **to), memory_release(*to);
+    if (*from) memory_adopt(w, room * sizeof **to);
+    *to = *from ? *from : memory_grow(w, NULL, 0, room, sizeof **to);
+    *from = NULL;
+}
+
 /* The world takes the columns over: both at once would be the most memory that it ever needs. */
 static void install_bodies(clast_world *w, saved *s) {
     body_store *b = &w->bodies;
@@ -501,6 +523,8 @@ static void install_bodies(clast_world *w, saved *s) {
     b->name = s->bodies.name, s->bodies.name = NULL;
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++)
+        if (w->def.periodic[k]) install_image(w, s, k);
     b->count = n, b->capacity = n + 1;
     CLAST_ASSERT(s->next_id == w->next_id && w->next_id <= w->slot_of_id_capacity);
     for (uint32_t id = 0; id < w->next_id; id++) w->slot_of_id[id] = -1;

@@ -178,6 +178,8 @@ typedef struct clast_world_def {
 
     clast_vec3 domain_min, domain_max; /* m; bodies stay inside */
     clast_outside outside;             /* what happens to a body whose centre leaves the domain */
+    bool periodic[3]; /* along x, y, z: the two faces of the domain are one. What leaves by one
+                         comes in by the other, and is felt across it */
 
     clast_guard_mode guards; /* report is for stability experiments */
     double max_overlap;      /* of the smaller radius of a contact; typical 0.05 */
@@ -416,6 +418,9 @@ typedef struct clast_bodies {
     const double *vx, *vy, *vz;      /* m/s */
     const double *wx, *wy, *wz;      /* rad/s, world frame */
     const double *mass;              /* kg */
+    const int32_t *image[3]; /* along a periodic axis, else NULL: times that the body has left by
+                                the upper face less those by the lower one. Position plus image
+                                times length is a track without jumps */
 } clast_bodies;
 
 clast_bodies clast_world_bodies(clast_world *w);
@@ -446,7 +451,8 @@ size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room
 
 typedef struct clast_energy {
     double kinetic, rotational; /* J */
-    double gravity;             /* J, against the domain's lowest corner, bodies present */
+    double gravity;             /* J, against the domain's lowest corner, bodies present. A fall
+                                   along a periodic axis goes on across its faces */
     double elastic;             /* J, in contacts */
     double damping, friction;   /* J, dissipated so far: by normal dashpots and yielding; by
                                    tangential forces and rolling friction */

@@ -11,6 +11,7 @@
  * between the two sides of a tube, or on a floor and against the wall that a fillet joins to it,
  * feels both. */
 #include "engine/geometry.h"
+#include "engine/periodic.h"
 
 /* ---- which of them are felt ------------------------------------------------------------------ */
 
@@ -22,42 +23,40 @@ static size_t deepest_of(const wall_touch *touch, size_t count) {
     return best;
 }
 
-static bool is_border(wall_touch *touch, size_t count, size_t own, vec3 centre) {
+static bool is_border(wall_touch *touch, size_t count, size_t own) {
     wall_touch *t = &touch[own];
     if (t->state != TOUCH_UNKNOWN) return t->state == TOUCH_BORDER;
     t->state = TOUCH_OWN;
     for (size_t i = 0; i < count && t->state == TOUCH_OWN; i++)
-        if (i != own && touch[i].overlap > 0 && is_border_of(t, &touch[i], centre))
-            t->state = TOUCH_BORDER;
+        if (i != own && touch[i].overlap > 0 && is_border_of(t, &touch[i])) t->state = TOUCH_BORDER;
     return t->state == TOUCH_BORDER;
 }
 
 /* Whether a deeper place of the same surface is touched. That one may itself be hidden by a third:
  * the facets of a hollow are deeper one than the other, and only the last is felt. But it is no
  * border, which would be the place of another surface. */
-static bool is_shallow(wall_touch *touch, size_t count, size_t own, size_t other, vec3 centre) {
+static bool is_shallow(wall_touch *touch, size_t count, size_t own, size_t other) {
     return other != own && touch[other].overlap > 0 &&
            are_one_surface(&touch[own], &touch[other]) && is_deeper(&touch[other], &touch[own]) &&
-           !is_border(touch, count, other, centre);
+           !is_border(touch, count, other);
 }
 
-static bool is_hidden(wall_touch *touch, size_t count, size_t own, size_t deepest, vec3 centre) {
+static bool is_hidden(wall_touch *touch, size_t count, size_t own, size_t deepest) {
     if (touch[own].wall->family < 0 || !(touch[own].overlap > 0)) return false;
-    if (is_shallow(touch, count, own, deepest, centre)) return true;
-    if (is_border(touch, count, own, centre)) return true;
+    if (is_shallow(touch, count, own, deepest)) return true;
+    if (is_border(touch, count, own)) return true;
     if (touch[own].wall->smooth < 0) return false;
     for (size_t i = 0; i < count; i++)
-        if (is_shallow(touch, count, own, i, centre)) return true;
+        if (is_shallow(touch, count, own, i)) return true;
     return false;
 }
 
 /* Which touches of one sphere are not felt. What is felt hangs on what is touched alone, not on
  * its order. */
-void touches_settle(wall_touch *touch, size_t count, vec3 centre) {
+void touches_settle(wall_touch *touch, size_t count) {
     if (count < 2) return;
     size_t deepest = deepest_of(touch, count);
-    for (size_t i = 0; i < count; i++)
-        touch[i].hidden = is_hidden(touch, count, i, deepest, centre);
+    for (size_t i = 0; i < count; i++) touch[i].hidden = is_hidden(touch, count, i, deepest);
 }
 
 /* ---- memory ---------------------------------------------------------------------------------- */
@@ -139,10 +138,12 @@ size_t facets_run_end(const contact_list *l, size_t from) {
 void facets_settle(const clast_world *w, const contact_list *l, size_t from, size_t to,
                    bool advance, wall_touch *touch) {
     const centre_row *c = &w->rows.centre[l->a[from]];
-    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
-    for (size_t k = from; k < to; k++)
-        touch[k - from] = touch_of_wall(&w->walls[l->b[k]], centre, c->radius);
-    touches_settle(touch, to - from, centre);
+    vec3 centre = from_kernel(w, centre_at(c));
+    for (size_t k = from; k < to; k++) {
+        const wall *met = &w->walls[l->b[k]];
+        touch[k - from] = touch_of_wall(met, image_at_wall(w, met, centre), c->radius);
+    }
+    touches_settle(touch, to - from);
     if (advance) hand_over(&(run){w, l, from, to - from, touch});
 }
 

@@ -2,7 +2,7 @@
 #ifndef CLAST_GEOMETRY_H
 #define CLAST_GEOMETRY_H
 
-#include "engine/world.h"
+#include "engine/periodic.h"
 
 /* Nearest point of the wall, as the vector from it to the centre. `inside`: over the face of a
  * plate or patch. */
@@ -149,6 +149,7 @@ typedef enum touch_state { TOUCH_UNKNOWN, TOUCH_OWN, TOUCH_BORDER } touch_state;
 
 typedef struct wall_touch {
     const wall *wall;
+    vec3 centre; /* m, of the sphere in its image at the wall */
     approach to;
     vec3 normal;       /* from the wall to the sphere */
     double overlap;    /* m; <= 0: apart */
@@ -158,7 +159,8 @@ typedef struct wall_touch {
 
 static inline wall_touch touch_of_wall(const wall *l, vec3 centre, double radius) {
     approach a = wall_approach(l, centre);
-    wall_touch t = {.wall = l, .to = a, .normal = l->n, .overlap = radius - a.distance};
+    wall_touch t = {
+        .wall = l, .centre = centre, .to = a, .normal = l->n, .overlap = radius - a.distance};
     bool behind = l->def.kind != CLAST_WALL_PLANE && v3_dot(a.away, l->n) < 0;
     if (behind) t.normal = v3_scale(-1, l->n);
     if (!a.inside) t.normal = v3_scale(1 / a.distance, a.away);
@@ -197,19 +199,20 @@ static inline bool leads_down(const wall *other, vec3 p, vec3 centre, const appr
 
 /* A face before an edge before a corner, and among equals the wall that was added first. Two faces
  * in different planes are both felt. */
-static inline bool is_border_of(const wall_touch *own, const wall_touch *other, vec3 centre) {
+static inline bool is_border_of(const wall_touch *own, const wall_touch *other) {
     const wall *l = own->wall, *m = other->wall;
     if (own->to.inside && !(other->to.inside && are_in_one_plane(l, m))) return false;
     double size = l->bound + m->bound, rounding = 1e-9 * size;
-    vec3 nearest = v3_sub(centre, own->to.away);
+    vec3 between = v3_sub(other->centre, own->centre); /* images */
+    vec3 nearest = v3_add(v3_sub(own->centre, own->to.away), between);
     if (!is_in_box(m, nearest, rounding)) return false;
     if (wall_approach(m, nearest).distance > rounding) return false;
     bool face = other->to.inside && fabs(other->to.distance - own->to.distance) <= rounding;
     if (own->to.inside) return face && m < l;
-    return face || m < l || leads_down(m, nearest, centre, &other->to, size, rounding);
+    return face || m < l || leads_down(m, nearest, other->centre, &other->to, size, rounding);
 }
 
 /* facets.c */
-void touches_settle(wall_touch *touch, size_t count, vec3 centre);
+void touches_settle(wall_touch *touch, size_t count);
 
 #endif

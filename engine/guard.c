@@ -197,7 +197,7 @@ static int complain_of_outside(clast_world *w) {
 static double gap_of(const clast_world *w, const contact_place *at) {
     const centre_row *a = &w->rows.centre[at->list->a[at->index]];
     const centre_row *b = &w->rows.centre[at->list->b[at->index]];
-    vec3 apart = v3_sub(v3(a->x, a->y, a->z), v3(b->x, b->y, b->z));
+    vec3 apart = separation(&w->kernel_period, centre_at(a), centre_at(b));
     return v3_norm(apart) - (a->radius + b->radius);
 }
 

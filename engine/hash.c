@@ -43,6 +43,8 @@ uint64_t clast_world_hash(const clast_world *w) {
 #define X(type, name) h = mix_of(type)(h, b->name[i]);
         BODY_COLUMNS(X)
 #undef X
+        for (int k = 0; k < 3; k++)
+            if (b->image[k]) h = mix_int32_t(h, b->image[k][i]);
     }
     const double *kept;
     for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)

@@ -75,7 +75,7 @@ clast_energy clast_world_energy(clast_world *w) {
     double tangential_work = l->work + m.work_arrived - l->wall_work - l->elastic - l->dashpot;
     clast_energy e = {.kinetic = m.kinetic,
                       .rotational = m.rotational,
-                      .gravity = gravity_of(w),
+                      .gravity = gravity_of(w) + l->unwrapped,
                       .elastic = stored.normal + stored.tangential,
                       .damping = -l->dashpot,
                       .friction = -tangential_work - (stored.tangential - l->start_tangential),

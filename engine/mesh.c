@@ -539,6 +539,7 @@ int clast_mesh_add(clast_world *w, int part_index, const clast_mesh_def *def) {
     int first_wall = w->wall_count, patches = check_belt(w, &m) ? -1 : m.patches;
     if (patches > 0) {
         add_patches(w, part_index, &m);
+        mesh_extend(w, first_wall, def);
         join_patches(w, &m, first_wall);
     }
     mesh_free(&m);

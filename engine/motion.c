@@ -82,17 +82,19 @@ static void advance_share(void *context, int thread) {
 /* From x(n), v(n-1/2), loads(n) to x(n+1), v(n+1/2) and rows; the loads are empty afterwards. */
 void bodies_advance(clast_world *w) {
     parallel_run(w->threads, advance_share, w);
-    exact_sum global = {0, 0}, contact = {0, 0};
+    exact_sum global = {0, 0}, contact = {0, 0}, unwrapped = {0, 0};
     w->found = (body_tally){.way = 0};
     for (int t = 0; t < w->threads; t++) {
         const body_tally *b = &w->shares[t].body_tally;
         sum_merge(&global, &b->global);
         sum_merge(&contact, &b->contact);
+        sum_merge(&unwrapped, &b->unwrapped);
         w->found.outside |= b->outside;
         if (b->way > w->found.way) w->found.way = b->way;
     }
     w->ledger.global += sum_value(&global);
     w->ledger.work += sum_value(&contact);
+    w->ledger.unwrapped += sum_value(&unwrapped);
 }
 
 static void store_half_step(clast_world *w, size_t i, vec3 v, vec3 l) {

@@ -6,14 +6,15 @@
 
 #include "engine/geometry.h"
 #include "engine/parallel.h"
+#include "engine/periodic.h"
 
 /* ---- who is near ----------------------------------------------------------------------------- */
 
 static bool spheres_are_near(const clast_world *w, size_t i, size_t j) {
     const centre_row *a = &w->rows.centre[i], *b = &w->rows.centre[j];
-    double dx = a->x - b->x, dy = a->y - b->y, dz = a->z - b->z;
+    vec3 d = separation(&w->kernel_period, centre_at(a), centre_at(b));
     double reach = a->radius + b->radius + w->margin;
-    return !(dx * dx + dy * dy + dz * dz >= reach * reach);
+    return !(d.x * d.x + d.y * d.y + d.z * d.z >= reach * reach);
 }
 
 static bool wall_is_near(const clast_world *w, size_t sphere, int wall_index) {
@@ -21,7 +22,7 @@ static bool wall_is_near(const clast_world *w, size_t sphere, int wall_index) {
     const wall *l = wall_now(w, wall_index, &room);
     const centre_row *c = &w->rows.centre[sphere];
     if (!w->parts[l->part].present) return false;
-    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
+    vec3 centre = image_at_wall(w, l, from_kernel(w, centre_at(c)));
     return !(wall_approach(l, centre).distance >= c->radius + w->margin);
 }
 
@@ -227,7 +228,7 @@ static double tuned(double skin, uint64_t steps, uint64_t few, uint64_t many, do
 static void tune(clast_world *w, uint64_t since_reach) {
     double r = w->smallest_radius;
     if (w->def.skin == 0 && w->prepared && since_reach > 0)
-        w->skin = tuned(w->skin, since_reach, 100, 400, 0.08 * r, 0.5 * r);
+        w->skin = fmin(tuned(w->skin, since_reach, 100, 400, 0.08 * r, 0.5 * r), w->most_skin);
     if (w->margin > w->skin) w->margin = w->skin;
 }
 

@@ -2,7 +2,7 @@
 #ifndef CLAST_ENGINE_PART_H
 #define CLAST_ENGINE_PART_H
 
-#include "engine/world.h"
+#include "engine/periodic.h"
 
 /* part.c */
 part_place part_at(const part *p, double time);
@@ -57,8 +57,8 @@ static inline void part_add_push(const clast_world *w, part_sums *s, const wall 
     sum_add(&s->belt, &w->belt_scale, v3_dot(force, to_kernel(w, l->belt)));
     const part *p = &w->parts[l->part];
     if (!p->turns) return;
-    const centre_row *c = &w->rows.centre[sphere];
-    vec3 arm = v3_sub(v3(c->x, c->y, c->z), to_kernel(w, part_pivot(p)));
+    vec3 centre = from_kernel(w, centre_at(&w->rows.centre[sphere]));
+    vec3 arm = to_kernel(w, v3_sub(image_at_wall(w, l, centre), part_pivot(p)));
     if (w->special.clumps) {
         const double *out = w->rows.arm[sphere].arm;
         arm = v3_sub(arm, v3(out[0], out[1], out[2]));

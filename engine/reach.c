@@ -3,6 +3,7 @@
  * observable. */
 #include "engine/cells.h"
 #include "engine/geometry.h"
+#include "engine/periodic.h"
 
 /* ---- growing --------------------------------------------------------------------------------- */
 
@@ -36,22 +37,25 @@ typedef struct range {
     size_t begin, end; /* slots */
 } range;
 
+enum { RANGES = 18 };
+
 static double bound_of(const clast_world *w, size_t slot) {
     return w->shapes[w->bodies.shape[slot]].bound;
 }
 
 /* Slots behind `a` in its own row of cells and in the rows after it that its neighbours can be in.
  */
-static int ranges_ahead(const clast_world *w, size_t a, range out[5]) {
+static int ranges_ahead(const clast_world *w, size_t a, range out[RANGES]) {
     const cell_grid *g = &w->cells.grid;
     const body_store *b = &w->bodies;
     cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
-    int i0 = p.i > 0 ? p.i - 1 : 0, i1 = p.i + 1 < g->nx ? p.i + 1 : g->nx - 1, count = 0;
+    int last = g->x.count - 1, i0 = p.i > 0 ? p.i - 1 : 0, i1 = p.i < last ? p.i + 1 : last;
+    int count = 0;
     static const int dj[5] = {0, 1, -1, 0, 1}, dk[5] = {0, 0, 1, 1, 1};
     for (int r = 0; r < 5; r++) {
         int jr = p.j + dj[r], kr = p.k + dk[r];
-        if (jr < 0 || jr >= g->ny || kr >= g->nz) continue;
-        size_t row = ((size_t)kr * (size_t)g->ny + (size_t)jr) * (size_t)g->nx;
+        if (jr < 0 || jr >= g->y.count || kr >= g->z.count) continue;
+        size_t row = row_of_cells(g, jr, kr);
         size_t from = r == 0 ? a + 1 : w->cells.cell_first[row + (size_t)i0];
         size_t to = w->cells.cell_first[row + (size_t)i1 + 1];
         if (from < to) out[count++] = (range){from, to};
@@ -59,25 +63,52 @@ static int ranges_ahead(const clast_world *w, size_t a, range out[5]) {
     return count;
 }
 
-/* Writes the slots of a range that are within reach; room for all of them. No branch, because there
- * is nothing to predict. */
-static size_t scan(const clast_world *w, size_t a, range r, int32_t *found) {
+/* The same where rows and layers may go round: of all that are next to it, in two spans each, the
+ * slots behind `a`. So a pair is found once, whatever the order of storage. */
+static int ranges_around(const clast_world *w, size_t a, range out[RANGES]) {
+    const cell_grid *g = &w->cells.grid;
     const body_store *b = &w->bodies;
-    double x = b->x[a], y = b->y[a], z = b->z[a], own = bound_of(w, a) + w->skin;
-    size_t count = 0;
-    for (size_t s = r.begin; s < r.end; s++) {
-        double dx = b->x[s] - x, dy = b->y[s] - y, dz = b->z[s] - z;
-        double reach = own + (w->special.one_shape ? w->largest_bound : bound_of(w, s));
-        found[count] = (int32_t)s;
-        count += dx * dx + dy * dy + dz * dz < reach * reach;
+    cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
+    cell_span x[2];
+    int j[3], k[3], count = 0, spans = cells_between(&g->x, p.i - 1, p.i + 1, x);
+    int rows = cells_next_to(&g->y, p.j, j), layers = cells_next_to(&g->z, p.k, k);
+    for (int r = 0; r < rows * layers; r++) {
+        const uint32_t *first = w->cells.cell_first + row_of_cells(g, j[r % rows], k[r / rows]);
+        for (int s = 0; s < spans; s++) {
+            size_t from = first[x[s].first], to = first[x[s].last + 1];
+            from = from > a ? from : a + 1;
+            if (from < to) out[count++] = (range){from, to};
+        }
     }
     return count;
 }
 
+/* Writes the slots of a range that are within reach; room for all of them. No branch, because there
+ * is nothing to predict. */
+CLAST_INLINE static inline size_t scan_as(const clast_world *w, size_t a, range r, int32_t *found,
+                                          bool periodic) {
+    const body_store *b = &w->bodies;
+    vec3 at = body_position(w, a);
+    double own = bound_of(w, a) + w->skin;
+    size_t count = 0;
+    for (size_t s = r.begin; s < r.end; s++) {
+        vec3 d = v3(b->x[s] - at.x, b->y[s] - at.y, b->z[s] - at.z);
+        if (periodic) d = nearest_image(&w->period, d);
+        double reach = own + (w->special.one_shape ? w->largest_bound : bound_of(w, s));
+        found[count] = (int32_t)s;
+        count += d.x * d.x + d.y * d.y + d.z * d.z < reach * reach;
+    }
+    return count;
+}
+
+static size_t scan(const clast_world *w, size_t a, range r, int32_t *found) {
+    return w->period.any ? scan_as(w, a, r, found, true) : scan_as(w, a, r, found, false);
+}
+
 /* Appends the bodies ahead within reach and returns how many there are. */
 static size_t append_bodies(clast_world *w, reach_list *l, size_t a) {
-    range ranges[5];
-    int rows = ranges_ahead(w, a, ranges);
+    range ranges[RANGES];
+    int rows = w->period.any ? ranges_around(w, a, ranges) : ranges_ahead(w, a, ranges);
     size_t begin = l->count, found = begin;
     for (int r = 0; r < rows; r++) {
         reserve_partners(w, l, found + (ranges[r].end - ranges[r].begin));
@@ -92,10 +123,10 @@ static size_t scan_spheres(const clast_world *w, size_t i, size_t body, int32_t 
     const centre_row *c = w->rows.centre, *own = &c[i];
     size_t count = 0;
     for (size_t j = w->rows.first[body]; j < w->rows.first[body + 1]; j++) {
-        double dx = c[j].x - own->x, dy = c[j].y - own->y, dz = c[j].z - own->z;
+        vec3 d = separation(&w->kernel_period, centre_at(&c[j]), centre_at(own));
         double reach = own->radius + c[j].radius + w->skin;
         found[count] = (int32_t)j;
-        count += dx * dx + dy * dy + dz * dz < reach * reach;
+        count += d.x * d.x + d.y * d.y + d.z * d.z < reach * reach;
     }
     return count;
 }
@@ -157,8 +188,8 @@ static bool is_within_reach(const clast_world *w, int wall_index, size_t sphere)
     wall room;
     const wall *l = wall_now(w, wall_index, &room);
     const centre_row *c = &w->rows.centre[sphere];
-    vec3 centre = from_kernel(w, v3(c->x, c->y, c->z));
-    return wall_approach(l, centre).distance < c->radius + w->skin;
+    vec3 centre = from_kernel(w, centre_at(c));
+    return wall_approach(l, image_at_wall(w, l, centre)).distance < c->radius + w->skin;
 }
 
 /* Contacts with walls that are not even around the body any more. */

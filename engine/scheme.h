@@ -125,6 +125,7 @@ static inline void body_spin_up(clast_world *w, size_t i, vec3 l) {
 
 /* scheme_columns.c */
 void columns_grow_older(integrator *s);
+void columns_wrap(clast_world *w);
 
 /* scheme_trial.c */
 void trial_preload(clast_world *w);

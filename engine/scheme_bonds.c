@@ -14,7 +14,7 @@
 
 static vec3 centre_of(const clast_world *w, int32_t sphere) {
     const centre_row *c = &w->rows.centre[sphere];
-    return from_kernel(w, v3(c->x, c->y, c->z));
+    return from_kernel(w, centre_at(c));
 }
 
 /* Towards a, with the distance (m) over which it turns: infinite at a wall. */
@@ -22,8 +22,10 @@ static vec3 normal_of(const clast_world *w, const contact_place *at, double *dis
     int32_t a = at->list->a[at->index], b = at->list->b[at->index];
     *distance = INFINITY;
     if (at->with_wall)
-        return touch_of_wall(&w->walls[b], centre_of(w, a), w->rows.centre[a].radius).normal;
-    vec3 d = v3_sub(centre_of(w, a), centre_of(w, b));
+        return touch_of_wall(&w->walls[b], image_at_wall(w, &w->walls[b], centre_of(w, a)),
+                             w->rows.centre[a].radius)
+            .normal;
+    vec3 d = separation(&w->period, centre_of(w, a), centre_of(w, b));
     *distance = v3_norm(d);
     return v3_scale(1 / *distance, d);
 }

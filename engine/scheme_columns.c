@@ -72,6 +72,23 @@ double *integrator_kept(const clast_world *w, int k) {
     return NULL;
 }
 
+/* Bodies that the step before has left beyond a periodic face come back, with the places where they
+ * have been. It is done here, since forces have been taken where the bodies are, to the bit. */
+void columns_wrap(clast_world *w) {
+    integrator *s = w->integrator;
+    exact_sum unwrapped = {0, 0};
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        vec3 way = body_wrap(w, i, &unwrapped);
+        if (v3_dot(way, way) == 0) continue;
+        for (int k = 1; k <= s->info->past; k++)
+            triple_put(s, X_AGO + k, i, v3_sub(triple_at(s, X_AGO + k, i), way));
+        if (i < s->reference.capacity)
+            for (int k = 0; k < 3; k++) s->reference.x[k][i] -= v3_at(way, k);
+        rows_fill(w, i, i + 1);
+    }
+    w->ledger.unwrapped += sum_value(&unwrapped);
+}
+
 /* The columns from `first` on by one level. */
 static void shift(double **first, int levels) {
     for (int k = 0; k < 3; k++) {

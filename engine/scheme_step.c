@@ -221,6 +221,7 @@ static clast_status begin(clast_world *w) {
 clast_status integrator_step(clast_world *w) {
     integrator *s = w->integrator;
     double since = world_seconds();
+    if (w->period.any) columns_wrap(w);
     uint64_t begun = w->step;
     clast_status status = begin(w);
     if (status) return status;

@@ -19,8 +19,6 @@ static void choose_sizes(clast_world *w) {
     }
     w->skin = w->def.skin > 0 ? w->def.skin : 0.15 * w->smallest_radius;
     w->margin = 0.02 * w->smallest_radius < w->skin ? 0.02 * w->smallest_radius : w->skin;
-    bool plane = w->def.motion == CLAST_MOTION_IN_PLANE;
-    for (int k = 0; k < 3; k++) w->axes[k] = plane ? (w->def.plane_axis + 1 + k) % 3 : k;
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG) w->margin = w->skin; /* scheme_trial.c */
 }
 
@@ -102,6 +100,8 @@ static clast_status prepare_checked(clast_world *w) {
     s = check_plane(w);
     if (s) return s;
     choose_sizes(w);
+    s = period_check(w);
+    if (s) return s;
     choose_threads(w);
     walls_link(w);
     special_choose(w);
@@ -119,6 +119,8 @@ clast_status clast_world_prepare(clast_world *w) {
     if (w->prepared) return CLAST_OK;
     clast_status s = prepare_checked(w);
     if (s) return s;
+    exact_sum nothing_yet = {0, 0};
+    if (w->period.any) bodies_wrap(w, 0, w->bodies.count, &nothing_yet);
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG) integrator_make(w);
     walls_group(w);
     walls_plant(w);

@@ -34,7 +34,8 @@ clast_bodies clast_world_bodies(clast_world *w) {
                           .wx = w->view.wx,
                           .wy = w->view.wy,
                           .wz = w->view.wz,
-                          .mass = w->view.mass};
+                          .mass = w->view.mass,
+                          .image = {b->image[0], b->image[1], b->image[2]}};
 }
 
 static void reserve_spheres(clast_world *w) {
@@ -52,7 +53,7 @@ clast_spheres clast_world_spheres(clast_world *w) {
     reserve_spheres(w);
     for (size_t i = 0; i < w->sphere_count; i++) {
         const centre_row *c = &w->rows.centre[i];
-        vec3 p = from_kernel(w, v3(c->x, c->y, c->z));
+        vec3 p = from_kernel(w, centre_at(c));
         w->view.sx[i] = p.x, w->view.sy[i] = p.y, w->view.sz[i] = p.z;
         w->view.radius[i] = c->radius;
         w->view.body[i] = (int32_t)body_of_sphere(w, i);

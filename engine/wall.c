@@ -36,7 +36,7 @@ wall *wall_new(clast_world *w, int part_index, const clast_wall_def *def) {
                 .smooth = -1};
     l->def.name = l->name;
     l->n = v3_scale(1 / v3_norm(def->normal), def->normal);
-    l->point = def->point;
+    l->point = l->anchor = l->anchor_start = def->point;
     return l;
 }
 
@@ -62,12 +62,12 @@ int clast_wall_add(clast_world *w, int part_index, const clast_wall_def *def) {
 }
 
 /* Two plates in one plane whose rectangles touch or overlap. */
-static bool are_coplanar(const wall *a, const wall *b) {
+static bool are_coplanar(const clast_world *w, const wall *a, const wall *b) {
     if (a == b || a->def.kind != CLAST_WALL_PLATE || b->def.kind != CLAST_WALL_PLATE) return false;
     double size =
         a->def.half_side[0] + a->def.half_side[1] + b->def.half_side[0] + b->def.half_side[1];
     if (!(fabs(fabs(v3_dot(a->n, b->n)) - 1) < 1e-12)) return false;
-    vec3 between = v3_sub(b->def.point, a->def.point);
+    vec3 between = separation(&w->period, b->def.point, a->def.point);
     return fabs(v3_dot(between, a->n)) < 1e-9 * size && v3_norm(between) <= size;
 }
 
@@ -76,7 +76,7 @@ static void link_plate(clast_world *w, int i) {
     wall *own = &w->walls[i];
     for (int j = 0; j < i; j++) {
         const wall *other = &w->walls[j];
-        if (!are_coplanar(own, other) || own->family == other->family) continue;
+        if (!are_coplanar(w, own, other) || own->family == other->family) continue;
         int old = own->family, now = other->family;
         for (int k = 0; k <= i; k++)
             if (old >= 0 && w->walls[k].family == old) w->walls[k].family = now;
@@ -93,7 +93,7 @@ void walls_link(clast_world *w) {
         if (w->walls[i].def.kind != CLAST_WALL_PLATE) continue;
         bool meets = false;
         for (int j = 0; j < w->wall_count && !meets; j++)
-            meets = are_coplanar(&w->walls[i], &w->walls[j]);
+            meets = are_coplanar(w, &w->walls[i], &w->walls[j]);
         if (!meets) continue;
         w->walls[i].family = i;
         link_plate(w, i);
@@ -216,6 +216,7 @@ void walls_make_rows(clast_world *w) {
 /* Walls stand in the frame of their part. */
 static void place_wall(wall *l, const part *p) {
     l->point = part_out(p, l->def.point);
+    l->anchor = part_out(p, l->anchor_start);
     l->belt = p->running ? part_direction(p, l->def.belt_velocity) : v3(0, 0, 0);
     if (!p->turns) return;
     l->n = part_direction(p, l->def.normal);

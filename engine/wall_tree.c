@@ -105,6 +105,16 @@ static void plant(clast_world *w, wall_tree *t) {
     fill_boxes(w, t);
 }
 
+static void span_anchors(const clast_world *w, wall_tree *t) {
+    t->anchor_low = v3(INFINITY, INFINITY, INFINITY);
+    t->anchor_high = v3(-INFINITY, -INFINITY, -INFINITY);
+    for (int k = 0; k < t->walls; k++) {
+        vec3 p = w->walls[t->wall[k]].anchor_start, *low = &t->anchor_low, *high = &t->anchor_high;
+        *low = v3(fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z));
+        *high = v3(fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z));
+    }
+}
+
 /* Needs all walls where they stand in the frames of their parts. */
 void walls_plant(clast_world *w) {
     for (int i = 0; i < w->wall_count; i++) {
@@ -127,7 +137,10 @@ void walls_plant(clast_world *w) {
         else
             t->wall[t->walls++] = i;
     }
-    for (int p = 0; p < w->part_count; p++) plant(w, &w->parts[p].tree);
+    for (int p = 0; p < w->part_count; p++) {
+        plant(w, &w->parts[p].tree);
+        span_anchors(w, &w->parts[p].tree);
+    }
 }
 
 /* ---- searching ------------------------------------------------------------------------------- */
@@ -172,6 +185,44 @@ static size_t search(clast_world *w, share *s, const wall_tree *t, vec3 at, doub
     return count;
 }
 
+static bool are_equal(vec3 a, vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The same in one image of the place: walls that are felt in it. */
+static size_t search_image(clast_world *w, share *s, const part *p, vec3 centre, vec3 way,
+                           double reach, size_t count) {
+    vec3 at = part_in(p, v3_sub(centre, way));
+    size_t end = search(w, s, &p->tree, at, reach, count);
+    for (size_t k = count; k < end; k++) {
+        vec3 anchor = part_out(p, w->walls[s->around[k]].anchor_start);
+        if (are_equal(way_to_image(&w->period, anchor, centre), way))
+            s->around[count++] = s->around[k];
+    }
+    return count;
+}
+
+/* Across periodic faces: in all images that are nearest to a place where an anchor may be. */
+static size_t search_images(clast_world *w, share *s, const part *p, vec3 centre, double reach,
+                            size_t count) {
+    const double *length = w->period.length;
+    const wall_tree *t = &p->tree;
+    vec3 half = v3_scale(0.5, v3_sub(t->anchor_high, t->anchor_low));
+    vec3 middle = part_out(p, v3_add(t->anchor_low, half));
+    if (p->turns) half = v3(v3_norm(half), v3_norm(half), v3_norm(half));
+    double first[3], last[3];
+    for (int k = 0; k < 3; k++) {
+        double d = v3_at(v3_sub(centre, middle), k), slack = v3_at(half, k) + 1e-9 * length[k];
+        first[k] = lengths_in(d - slack, length[k]), last[k] = lengths_in(d + slack, length[k]);
+    }
+    for (double x = first[0]; x <= last[0]; x++)
+        for (double y = first[1]; y <= last[1]; y++)
+            for (double z = first[2]; z <= last[2]; z++)
+                count = search_image(w, s, p, centre,
+                                     v3(length[0] * x, length[1] * y, length[2] * z), reach, count);
+    return count;
+}
+
 /* Writes the walls that may be within reach (m) of a place into s->around and returns how many. */
 size_t walls_around(clast_world *w, share *s, vec3 centre, double reach) {
     size_t count = 0;
@@ -180,7 +231,10 @@ size_t walls_around(clast_world *w, share *s, vec3 centre, double reach) {
         if (!p->present) continue;
         for (int k = 0; k < p->tree.planes; k++) found(w, s, count++, p->tree.plane[k]);
         if (p->tree.walls == 0) continue;
-        count = search(w, s, &p->tree, part_in(p, centre), reach, count);
+        if (w->period.any)
+            count = search_images(w, s, p, centre, reach, count);
+        else
+            count = search(w, s, &p->tree, part_in(p, centre), reach, count);
     }
     s->wall_tests += count;
     return count;

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "engine/parallel.h"
-#include "engine/world.h"
+#include "engine/periodic.h"
 
 /* Numbers in single precision are as near as this to what they were made of, of their size; twice
  * that covers the arithmetic. */
@@ -50,9 +50,9 @@ void way_remember(clast_world *w) {
 
 /* ---- ways that are measured ------------------------------------------------------------------ */
 
-static double squared(const float from[3], const centre_row *c) {
-    double x = c->x - (double)from[0], y = c->y - (double)from[1], z = c->z - (double)from[2];
-    return x * x + y * y + z * z;
+static double squared(const period *p, const float from[3], const centre_row *c) {
+    vec3 way = separation(p, centre_at(c), v3((double)from[0], (double)from[1], (double)from[2]));
+    return v3_dot(way, way);
 }
 
 static double larger(double a, double b) {
@@ -74,8 +74,8 @@ static void measure_share(void *context, int thread) {
     for (size_t i = s->sphere_begin; i < s->sphere_end; i++) {
         const centre_row *c = &w->rows.centre[i];
         const kept_place *p = &w->way.places[i];
-        note(reach, squared(p->reach, c));
-        note(contacts, squared(p->contacts, c));
+        note(reach, squared(&w->kernel_period, p->reach, c));
+        note(contacts, squared(&w->kernel_period, p->contacts, c));
         size = larger(fabs(c->x) + fabs(c->y) + fabs(c->z), size);
     }
     for (int k = 0; k < 2; k++) {
@@ -113,14 +113,21 @@ static void add(way_bound *b, double bodies, double walls) {
     b->walls += walls;
 }
 
+/* Across a periodic face a way is measured to the nearest image: below half a length. */
+static bool is_measurable(const clast_world *w) {
+    const way_store *o = &w->way;
+    double shortest = INFINITY;
+    for (int k = 0; k < 3; k++) shortest = fmin(shortest, w->period.half[k]);
+    return o->contacts.bound < INFINITY && !(o->reach.bound >= 0.5 * shortest);
+}
+
 /* After a step: which lists have to be made anew. */
 way_verdict way_judge(clast_world *w) {
     way_store *o = &w->way;
     add(&o->reach, w->found.way, w->wall_way);
     add(&o->contacts, w->found.way, w->wall_way);
     bool reach = asks(o->reach.bound, w->skin), contacts = asks(o->contacts.bound, w->margin);
-    bool finite = o->contacts.bound < INFINITY;
-    if (!(reach || contacts) || !o->knows_contacts || !finite)
+    if (!(reach || contacts) || !o->knows_contacts || !is_measurable(w))
         return (way_verdict){reach, contacts};
     measure(w);
     return (way_verdict){reach && is_worn(&o->reach, w->skin), is_worn(&o->contacts, w->margin)};

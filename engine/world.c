@@ -61,6 +61,8 @@ static const char *fault_of(const clast_world_def *d) {
     if (!isfinite(v3_norm(v3_sub(hi, lo)))) return "the domain is not finite";
     if (!(d->max_overlap > 0 && d->max_displacement > 0 && d->max_residual > 0))
         return "a guard's limit is not above zero";
+    if (d->motion == CLAST_MOTION_IN_PLANE && d->periodic[d->plane_axis])
+        return "the domain is periodic across the plane of motion";
     if (!(d->skin >= 0)) return "skin is below zero";
     if (!isfinite(d->skin)) return "skin is not finite";
     if (d->precision != CLAST_PRECISION_DOUBLE && d->precision != CLAST_PRECISION_MIXED)
@@ -82,6 +84,9 @@ clast_world *clast_world_new(const clast_world_def *def) {
     bool remembers = clast_law_info_of(def->law)->yields || def->law == CLAST_LAW_USER;
     w->history_columns = remembers ? HISTORY_COLUMNS : HISTORY_PLASTIC;
     w->counters.bytes = sizeof *w;
+    bool plane = w->def.motion == CLAST_MOTION_IN_PLANE;
+    for (int k = 0; k < 3; k++) w->axes[k] = plane ? (w->def.plane_axis + 1 + k) % 3 : k;
+    period_choose(w);
     return w;
 }
 
@@ -107,6 +112,7 @@ void clast_world_free(clast_world *w) {
 #define X(type, name) free(w->bodies.name);
     BODY_COLUMNS(X)
 #undef X
+    for (int k = 0; k < 3; k++) free(w->bodies.image[k]);
     row_store *r = &w->rows;
     free(r->motion), free(r->loads), free(r->centre), free(r->arm), free(r->first);
     free(r->inertia);

@@ -45,6 +45,7 @@ typedef struct body_store {
 #define X(type, name) type *name;
     BODY_COLUMNS(X)
 #undef X
+    int32_t *image[3]; /* lengths of the domain that it has come back by; periodic axes alone */
 } body_store;
 
 /* ---- rows of the contact pass, kernel frame -------------------------------------------------- */
@@ -54,6 +55,10 @@ enum { LINE = 64 }; /* bytes of a cache line */
 typedef struct centre_row {
     double x, y, z, radius; /* m */
 } centre_row;
+
+static inline vec3 centre_at(const centre_row *c) {
+    return v3(c->x, c->y, c->z);
+}
 
 typedef struct motion_row {
     double v[3]; /* m/s */
@@ -110,6 +115,12 @@ typedef struct load_scale {
     double force_quantum, torque_quantum;
     double limit; /* quanta */
 } load_scale;
+
+/* Axes along which the domain repeats itself. */
+typedef struct period {
+    bool any;
+    double length[3], half[3]; /* m; 0 and endless along the other axes */
+} period;
 
 /* ---- what a scene is made of ----------------------------------------------------------------- */
 
@@ -168,10 +179,11 @@ typedef struct part_sums {
 
 /* Boxes around the plates and patches of a part, where they stand at t = 0 (wall_tree.c). */
 typedef struct wall_tree {
-    int walls, leaves; /* leaves: a power of two */
-    int *wall;         /* those with an end, in the order of a curve through their middles */
-    float *box;        /* 6 per node: low and high corner; node k has 2 k + 1 and 2 k + 2 */
+    int walls, leaves;  /* leaves: a power of two */
+    int *wall;          /* those with an end, in the order of a curve through their middles */
+    float *box;         /* 6 per node: low and high corner; node k has 2 k + 1 and 2 k + 2 */
     int planes, *plane; /* those without an end */
+    vec3 anchor_low, anchor_high; /* m, of the box around the anchors of the former */
 } wall_tree;
 
 typedef struct part {
@@ -202,6 +214,12 @@ typedef struct patch {
     double *corner; /* m, from the wall's point: 3 x (u, v) per triangle */
 } patch;
 
+/* Of a plate, or of the whole mesh of a patch; for periodic axes. */
+typedef struct wall_extent {
+    vec3 half;     /* m, of the box about the anchor, in the frame of the part */
+    bool ruled[3]; /* the same in every section across this axis, but for its ends */
+} wall_extent;
+
 typedef struct wall {
     char *name;
     int part;
@@ -214,6 +232,9 @@ typedef struct wall {
     bool near;           /* in the near ones of its part */
     double bound;        /* m, plate, patch: radius about the point that holds it all */
     vec3 half_box;       /* m, of the box about the point, likewise */
+    vec3 anchor;         /* m, likewise: spheres feel it in their image nearest to this place */
+    vec3 anchor_start;   /* m, in the frame of the part */
+    wall_extent extent;
     patch patch;
     bool is_rectangle; /* a patch that fills the rectangle of half_side about its point */
     int family; /* those of a mesh, or plates in one plane: one may hide another; -1: none does */
@@ -303,10 +324,11 @@ typedef struct contact_tally {
 
 /* What one thread finds out while it moves bodies. */
 typedef struct body_tally {
-    exact_sum global;  /* J, lost to global damping */
-    exact_sum contact; /* J, work of the contact forces */
-    double way;        /* m, longest way of a point of a body in this step; infinite when not a
-                          number */
+    exact_sum global;    /* J, lost to global damping */
+    exact_sum contact;   /* J, work of the contact forces */
+    exact_sum unwrapped; /* J, as in the ledger */
+    double way;          /* m, longest way of a point of a body in this step; infinite when not a
+                            number */
     bool outside;
 } body_tally;
 
@@ -324,13 +346,13 @@ typedef struct share {
     contact_list contacts, walls;
     found_list found[2];      /* while they are made */
     contact_groups groups[2]; /* of contacts and of walls; worlds of shared dashpots alone */
-    int32_t *around; /* scratch: walls around one body */
+    int32_t *around;          /* scratch: walls around one body */
     size_t around_capacity;
     struct wall_touch *touches; /* scratch: of one sphere, or one body */
     size_t touch_capacity;
     uint64_t wall_tests; /* boxes and walls that were looked at to make lists */
-    group_item *items;        /* scratch: contacts of one body */
-    void *batches;            /* scratch: shared_batch, for the contacts of one body */
+    group_item *items;   /* scratch: contacts of one body */
+    void *batches;       /* scratch: shared_batch, for the contacts of one body */
     size_t item_capacity;
     load_row *overhang; /* of bodies from body_end on that this share's contacts load */
     size_t overhang_count, overhang_capacity;
@@ -393,11 +415,15 @@ typedef struct speciality {
     bool facets;   /* walls that may hide each other */
 } speciality;
 
-/* A grid of cubic cells over the bodies, remade at every rebuild. */
+/* A grid of cells over the bodies, remade at every rebuild; cubic but along periodic axes. */
+typedef struct cell_axis {
+    double low, size; /* m */
+    int count;
+    bool round; /* periodic: the last cell is next to the first */
+} cell_axis;
+
 typedef struct cell_grid {
-    vec3 low;
-    double size; /* m */
-    int nx, ny, nz;
+    cell_axis x, y, z;
 } cell_grid;
 
 typedef struct ledger {
@@ -408,6 +434,8 @@ typedef struct ledger {
     double wall_input;                 /* J, of the wall work without sign, per step */
     double start_tangential;           /* J in tangential springs at step 0, less what has left */
     double removed, removed_gravity;   /* J carried off: in all, and by height alone */
+    double unwrapped;                  /* J of gravity, of the lengths that bodies have come back by
+                                          across periodic faces: their falls go on */
     double start_total, start_gravity; /* J at step 0 */
 } ledger;
 
@@ -423,6 +451,7 @@ typedef struct user_law {
 
 struct clast_world {
     clast_world_def def;
+    period period, kernel_period; /* of the domain, by the axes of world and kernel frame */
     user_law user_law;
     bool prepared;
     int history_columns; /* HISTORY_COLUMNS, or HISTORY_PLASTIC */
@@ -457,6 +486,7 @@ struct clast_world {
     const char *isa_name;
     double smallest_radius, largest_bound;
     double skin, margin; /* m, of the reach list and of the contact list */
+    double most_skin;    /* m, where walls have images */
     double wall_way;     /* m, that a part has moved in this step */
     double wall_step;    /* m, the same of walls with an end */
     int wall_who;        /* whose wall_step that is */
@@ -639,6 +669,13 @@ void carry_drop_places(clast_world *w);
 void carry_drop_column(clast_world *w, int column);
 void carry_end(clast_world *w);
 void carry_free(clast_world *w);
+
+/* periodic.c */
+void period_choose(clast_world *w);
+clast_status period_check(clast_world *w);
+vec3 body_wrap(clast_world *w, size_t slot, exact_sum *unwrapped);
+bool bodies_wrap(clast_world *w, size_t begin, size_t end, exact_sum *unwrapped);
+void mesh_extend(clast_world *w, int first_wall, const clast_mesh_def *def);
 
 /* cells.c, shares.c, reach.c, near.c, records.c */
 void cells_sort(clast_world *w, double reach);

@@ -304,10 +304,20 @@ static void measure_shapes(scene_reader *r, const clast_world *w, crowd *c) {
 
 /* ---- preparing ------------------------------------------------------------------------------- */
 
+/* Of a line that begins with the name of a wall, a patch of which is NAME/0, NAME/1, ... */
+static const tree_node *wall_in(scene_reader *r, const char *line) {
+    if (strncmp(line, "wall ", 5)) return NULL;
+    const char *name = scene_copy(r->arena, line + 5, strcspn(line + 5, ":/"));
+    return tree_get(tree_get(r->root, "walls"), name);
+}
+
 /* The engine names bodies by id; the reader of the message needs the line that put them there. */
 static const tree_node *blame(scene_reader *r, const scene_draft *d, const crowd *c,
                               const char *line) {
     const char *at = strstr(line, "body ");
+    const tree_node *wall = wall_in(r, line), *domain = tree_get(r->root, "domain");
+    if (wall) return wall;
+    if (domain && strstr(line, "the domain is ")) return domain;
     unsigned id;
     if (at && sscanf(at, "body %u", &id) == 1 && id < (unsigned)c->count)
         return source_of(d, c, (int)id);

@@ -397,6 +397,16 @@ static void check_view(scene_reader *r, const scene_draft *d) {
               "found the direction of view, expected one across it");
 }
 
+static void check_domain(scene_reader *r, const scene_draft *d) {
+    const tree_node *domain = tree_get(r->root, "domain");
+    if (!domain || is_faulty(r, domain, NULL)) return;
+    if (!is_below(d->def.domain_min, d->def.domain_max))
+        FAULT(domain, "max", "found a corner that is not above min in x, y and z");
+    if (d->motion > 0 && d->def.periodic[d->motion - 1])
+        FAULT(domain, "periodic", "found %c, expected an axis in the plane of motion",
+              "xyz"[d->motion - 1]);
+}
+
 void scene_check(scene_reader *r, const scene_draft *draft) {
     SCENE_ASSERT(r && draft);
     check_pairs(r, draft);
@@ -408,8 +418,5 @@ void scene_check(scene_reader *r, const scene_draft *draft) {
     check_law(r, draft);
     check_scheme(r, draft);
     check_view(r, draft);
-    const tree_node *domain = tree_get(r->root, "domain");
-    if (domain && !is_faulty(r, domain, NULL) &&
-        !is_below(draft->def.domain_min, draft->def.domain_max))
-        FAULT(domain, "max", "found a corner that is not above min in x, y and z");
+    check_domain(r, draft);
 }

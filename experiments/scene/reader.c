@@ -229,6 +229,17 @@ static void read_choice(scene_reader *r, const scene_key *key, const tree_node *
     if (chosen >= 0) memcpy(field, &chosen, sizeof chosen);
 }
 
+static void read_axes(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
+    bool *axes = field, is_list = node->kind == TREE_LIST;
+    for (const tree_node *child = is_list ? node->first : node; child; child = child->next) {
+        const char *text = word(r, key, child);
+        int chosen = text ? choose(r, key, child, text) : -1;
+        if (chosen >= 0 && axes[chosen]) FAULT(child, "found '%s' twice", text);
+        if (chosen >= 0) axes[chosen] = true;
+        if (!is_list) return;
+    }
+}
+
 static void read_text(scene_reader *r, const scene_key *key, const tree_node *node, void *field) {
     const char *text = word(r, key, node);
     if (text && (!key->choices || choose(r, key, node, text) >= 0))
@@ -362,6 +373,7 @@ static read_fn *const READ[] = {
     [KEY_VALUES] = read_values, [KEY_POINTS] = read_points,      [KEY_INTERVAL] = read_interval,
     [KEY_SECTION] = read_inner, [KEY_PART] = read_inner,         [KEY_NAMED] = read_items,
     [KEY_LIST] = read_items,    [KEY_PARAMETERS] = read_nothing, [KEY_NAME_LIST] = read_name_list,
+    [KEY_AXES] = read_axes,
 };
 
 static void *field_of(const scene_key *key, void *target) {

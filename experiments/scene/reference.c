@@ -48,7 +48,9 @@ static void append_kind(scene_buffer *out, const scene_key *key) {
         scene_append(out, "true or false");
         break;
     case KEY_CHOICE:
+    case KEY_AXES:
         append_words(out, key->choices);
+        if (key->kind == KEY_AXES) scene_append(out, ", or a list of these");
         break;
     case KEY_TEXT:
         if (key->choices)
@@ -92,12 +94,10 @@ static void append_kind(scene_buffer *out, const scene_key *key) {
     case KEY_PART:
         scene_append(out, "a map of keys");
         break;
-    case KEY_NAMED:
-        scene_append(out, "a map of names");
-        break;
     case KEY_LIST:
         scene_append(out, "a list");
         break;
+    case KEY_NAMED:
     case KEY_PARAMETERS:
         scene_append(out, "a map of names");
         break;

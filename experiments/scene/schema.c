@@ -10,6 +10,7 @@ static const char *const LIMITS[] = {"total", "spring", NULL};
 static const char *const UNLOADINGS[] = {"rescale", "as-printed", NULL};
 static const char *const CLUMP_CONTACTS[] = {"each", "shared", NULL};
 static const char *const MOTIONS[] = {"3d", "in-plane x", "in-plane y", "in-plane z", NULL};
+static const char *const AXES[] = {"x", "y", "z", NULL};
 static const char *const OUTSIDES[] = {"stop", "remove", NULL};
 static const char *const GUARDS[] = {"stop", "report", NULL};
 static const char *const ISAS[] = {"auto", "baseline", "avx2", "avx512", NULL};
@@ -471,6 +472,9 @@ static const scene_key DOMAIN_KEYS[] = {
      .fallback = "[10 m, 10 m, 10 m]", .meaning = "highest corner"},
     {"outside", KEY_CHOICE, FIELD(def.outside), .choices = OUTSIDES, .fallback = "stop",
      .meaning = "what happens when the centre of a body leaves"},
+    {"periodic", KEY_AXES, FIELD(def.periodic), .choices = AXES,
+     .meaning = "the two faces across these axes are one: what leaves by one comes in by the other "
+                "and is felt across it; default: none"},
 };
 TABLE(DOMAIN, "domain", scene_draft, DOMAIN_KEYS);
 

@@ -17,6 +17,7 @@ typedef enum key_kind {                /* field in the target struct */
                         KEY_SEED,      /* uint64_t */
                         KEY_SWITCH,    /* bool */
                         KEY_CHOICE,    /* int or enum: place of the word in `choices` */
+                        KEY_AXES,      /* bool[3]: x, y, z, one of them or a list */
                         KEY_TEXT,      /* const char *, one of `choices` if there are any */
                         KEY_FILE,      /* const char *, an existing file or folder */
                         KEY_NAME,      /* int: index of an entry of the section `refers` */

@@ -59,8 +59,9 @@ static void send_off(clast_world *w) {
 
 static void demand_small_grid(const clast_world *w) {
     const cell_grid *g = &w->cells.grid;
-    size_t cells = (size_t)g->nx * (size_t)g->ny * (size_t)g->nz;
-    assert_true(g->nx > 0 && g->ny > 0 && g->nz > 0 && cells <= 4 * w->bodies.count + 64);
+    size_t cells = (size_t)g->x.count * (size_t)g->y.count * (size_t)g->z.count;
+    assert_true(g->x.count > 0 && g->y.count > 0 && g->z.count > 0);
+    assert_true(cells <= 4 * w->bodies.count + 64);
 }
 
 static void the_others_do_not_notice(wish how) {
@@ -124,12 +125,13 @@ static void all_of_them_nowhere(void **state) {
 /* A place is in the cell that it lies in, or in the nearest one at the edge. */
 static void places_stay_in_the_grid(void **state) {
     (void)state;
-    cell_grid g = {{-1, 0, 2}, 0.25, 8, 3, 5};
+    cell_grid g = {{-1, 0.25, 8, false}, {0, 0.25, 3, false}, {2, 0.25, 5, false}};
     const double odd[] = {-INFINITY, -1e300, -7, NAN, 0.1, 9, 1e300, INFINITY};
     for (int i = 0; i < 8; i++)
         for (int k = 0; k < 8; k++) {
             cell_place p = cell_at(&g, odd[i], odd[k], odd[7 - i]);
-            assert_true(p.i >= 0 && p.i < g.nx && p.j >= 0 && p.j < g.ny && p.k >= 0 && p.k < g.nz);
+            assert_true(p.i >= 0 && p.i < g.x.count && p.j >= 0 && p.j < g.y.count);
+            assert_true(p.k >= 0 && p.k < g.z.count);
         }
     cell_place inside = cell_at(&g, -0.3, 0.6, 2.3), outside = cell_at(&g, -9, 9, 1e300);
     assert_true(inside.i == 2 && inside.j == 2 && inside.k == 1);

@@ -85,7 +85,7 @@ static size_t check_walls_of(const clast_world *w, size_t sphere, const key_list
         own[count] = i;
         count += touch[count].overlap > 0;
     }
-    touches_settle(touch, count, centre);
+    touches_settle(touch, count);
     for (size_t i = 0; i < count; i++) {
         if (touch[i].hidden) continue;
         demand_entry(k, sphere, (size_t)own[i], "sphere and wall", seed, w);

@@ -126,7 +126,7 @@ feeling feel(const clast_world *w, clast_vec3 centre, double radius) {
         touch[count] = touch_of_wall(&w->walls[i], centre, radius);
         count += touch[count].overlap > 0;
     }
-    touches_settle(touch, count, centre);
+    touches_settle(touch, count);
     feeling f = {{0, 0, 0}, 0, 0};
     for (size_t i = 0; i < count; i++) {
         if (touch[i].hidden) continue;
