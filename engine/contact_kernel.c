@@ -4,7 +4,7 @@
  * the bits are the same for all instruction sets. */
 #include "engine/column_lanes.h"
 #include "engine/part.h"
-#include "engine/periodic.h"
+#include "engine/periodic_lanes.h"
 #include "engine/settle_lanes.h"
 #include "engine/shared_lanes.h"
 #ifndef CLAST_SINGLE
@@ -192,24 +192,12 @@ LANE_INLINE void prefetch_piece(const pass *p, size_t begin, int piece, law_need
     }
 }
 
-/* Periodic domains: ways to the nearest image. Not copied with what the scene needs: they are few
- * instructions of a thousand. */
-static __attribute__((noinline)) void take_nearest(pass *p, int count) {
-    const period *q = &p->w->kernel_period;
-    for (int k = 0; k < 3; k++) {
-        if (q->length[k] == 0) continue;
-        double *d = p->b.d[k], length = q->length[k], half = q->half[k];
-#pragma omp simd
-        for (int i = 0; i < count; i++) d[i] = nearest_along(d[i], length, half);
-    }
-}
-
 LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
     const int32_t *a = p->list->a + begin, *b = p->list->b + begin;
     const row_store *r = &p->w->rows;
     for (int i = load_fours(p, a, b, count, need); i < count; i++)
         load_pair(&p->b, i, side_of(r, a[i], need), side_of(r, b[i], need), need);
-    if (p->w->period.any) take_nearest(p, count);
+    if (p->w->period.any) take_nearest(&p->w->kernel_period, &p->b, count);
     if (!p->w->special.one_kind) load_kinds(p, a, b, count);
 }
 
@@ -270,19 +258,6 @@ static void load_wall_kinds(pass *p, const int32_t *spheres, const int32_t *wall
     }
 }
 
-/* Spheres in their images at the walls, with the bits that geometry.h makes of them. */
-static __attribute__((noinline)) void take_images(pass *p, size_t begin, int count) {
-    const clast_world *w = p->w;
-    for (int i = 0; i < count; i++) {
-        int32_t wall_index = p->list->b[begin + (size_t)i];
-        vec3 centre = centre_at(&w->rows.centre[p->list->a[begin + (size_t)i]]);
-        vec3 image = image_at_wall(w, &w->walls[wall_index], from_kernel(w, centre));
-        const double *point = w->wall_rows[wall_index].point;
-        vec3 d = v3_sub(to_kernel(w, image), v3(point[0], point[1], point[2]));
-        p->b.d[0][i] = d.x, p->b.d[1][i] = d.y, p->b.d[2][i] = d.z;
-    }
-}
-
 LANE_INLINE void load_walls(pass *p, size_t begin, int count, law_need need) {
     const int32_t *spheres = p->list->a + begin, *walls = p->list->b + begin;
     int i = 0;
@@ -290,7 +265,7 @@ LANE_INLINE void load_walls(pass *p, size_t begin, int count, law_need need) {
     for (; i + 4 <= count; i += 4) load_four_walls(p, i, spheres + i, walls + i, need);
 #endif
     for (; i < count; i++) load_wall_contact(p, i, (size_t)spheres[i], (size_t)walls[i], need);
-    if (p->w->period.any) take_images(p, begin, count);
+    if (p->w->period.any) take_images(p->w, p->list, begin, &p->b, count);
     if (!p->w->special.one_wall) load_wall_kinds(p, spheres, walls, count);
 }
 
