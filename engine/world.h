@@ -203,8 +203,8 @@ typedef struct part {
     double wall_step;   /* m, that no place of its plates and patches has moved farther by it */
     int *walls, wall_count;
     int *near, near_count, near_capacity; /* those in the reach lists, of a part that moves */
-    part_push push;    /* of the last evaluation */
-    double work_total; /* J, done on the bodies so far */
+    part_push push;                       /* of the last evaluation */
+    double work_total;                    /* J, done on the bodies so far */
     wall_tree tree;
 } part;
 
