@@ -160,6 +160,8 @@ static void describe_walls(FILE *t, const clast_world *w) {
                 d->half_side[1]);
         fprintf(t, " belt %.17g %.17g %.17g", d->belt_velocity.x, d->belt_velocity.y,
                 d->belt_velocity.z);
+        if (w->walls[i].smooth >= 0)
+            fprintf(t, " smooth %d %.17g", w->walls[i].smooth, w->walls[i].smooth_cosine);
         describe_patch(t, &w->walls[i].patch);
     }
 }

@@ -396,6 +396,57 @@ static void set_frame(wall *l, const mesh *m, const plane *p, const int *next) {
     l->def.side = l->u;
 }
 
+/* m, how far a place (s, t) is outside of the box of a wall; below zero inside. */
+static double outside_box(const wall *l, double s, double t) {
+    return fmax(fabs(s) - l->def.half_side[0], fabs(t) - l->def.half_side[1]);
+}
+
+/* The least of that along a rim: it bends where one of these is zero. */
+static double least_outside(const wall *l, const double *a, const double *b) {
+    double hs = l->def.half_side[0], ht = l->def.half_side[1];
+    double at_a[6] = {a[0],
+                      a[1],
+                      a[0] - a[1] - hs + ht,
+                      a[0] + a[1] - hs + ht,
+                      a[0] - a[1] + hs - ht,
+                      a[0] + a[1] + hs - ht};
+    double at_b[6] = {b[0],
+                      b[1],
+                      b[0] - b[1] - hs + ht,
+                      b[0] + b[1] - hs + ht,
+                      b[0] - b[1] + hs - ht,
+                      b[0] + b[1] + hs - ht};
+    double least = fmin(outside_box(l, a[0], a[1]), outside_box(l, b[0], b[1]));
+    for (int k = 0; k < 6; k++) {
+        double x = at_a[k] / (at_a[k] - at_b[k]);
+        if (!(x > 0 && x < 1)) continue;
+        least = fmin(least, outside_box(l, a[0] + x * (b[0] - a[0]), a[1] + x * (b[1] - a[1])));
+    }
+    return least;
+}
+
+/* How far from the sides of its box a patch that is no rectangle has its border: no rim reaches
+ * farther in. */
+static void set_rim(wall *l, const mesh *m, const plane *p, const int *next) {
+    l->rim = l->is_rectangle ? 0 : WALL_ENDLESS;
+    flat_way middle = way_from_patch(&l->patch, 0, 0);
+    if (l->is_rectangle || middle.s != 0 || middle.t != 0) return;
+    double rim = 0;
+    for (int t = p->first; t >= 0; t = next[t])
+        for (int k = 0; k < 3; k++) {
+            seam kind = seam_of(m, t, k, p->normal);
+            if (kind == FOLD) return;
+            if (kind == SEAM) continue;
+            const int32_t *c = corners(m->def, t);
+            vec3 from = v3_sub(m->def->vertex[c[k]], l->def.point),
+                 to = v3_sub(m->def->vertex[c[(k + 1) % 3]], l->def.point);
+            double a[2] = {v3_dot(from, l->u), v3_dot(from, l->v)};
+            double b[2] = {v3_dot(to, l->u), v3_dot(to, l->v)};
+            rim = fmax(rim, -least_outside(l, a, b));
+        }
+    l->rim = rim + 1e-9 * l->bound;
+}
+
 static void add_corner(wall *l, double *to, vec3 p) {
     vec3 d = v3_sub(p, l->def.point);
     to[0] = v3_dot(d, l->u), to[1] = v3_dot(d, l->v);
@@ -430,6 +481,7 @@ static void add_patch(clast_world *w, int part_index, const mesh *m, int index, 
     l->patch.corner = memory_grow(w, NULL, 0, numbers, sizeof *l->patch.corner);
     for (int t = p->first; t >= 0; t = next[t]) add_triangle(l, m, t);
     make_tree(&l->patch, 0, 0, patch_leaves(p->triangles));
+    set_rim(l, m, p, next);
 }
 
 /* Triangles of each patch as chains in rising order. */

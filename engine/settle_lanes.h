@@ -40,11 +40,20 @@ static inline void take_touches(const settling *s, const wall_touch *touch, batc
     }
 }
 
+/* One wall alone, as most are, hides nothing and hands nothing over. */
+static inline bool is_clear_case(const settling *s, const batch *b, const int32_t *sphere, int i,
+                                 int count, size_t begin) {
+    bool company =
+        (i > 0 && sphere[i - 1] == sphere[i]) || (i + 1 < count && sphere[i + 1] == sphere[i]);
+    return !company &&
+           !(b->overlap[i] > 0 && wall_is_uneven(&s->w->walls[s->list->b[begin + (size_t)i]]));
+}
+
 static inline void settle_walls(const settling *s, batch *b, const wall_batch *l, size_t begin,
                                 int count) {
     const int32_t *sphere = s->list->a + begin;
     for (int i = 0; i < count; i++) {
-        if (l->look[i] == 0) continue;
+        if (l->look[i] == 0 || is_clear_case(s, b, sphere, i, count, begin)) continue;
         int from = i, to = i + 1;
         while (from > 0 && sphere[from - 1] == sphere[i]) from--;
         while (to < count && sphere[to] == sphere[i]) to++;

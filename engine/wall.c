@@ -203,8 +203,10 @@ static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
     put_row(w, r->n, l->n), put_row(w, r->u, l->u), put_row(w, r->v, l->v);
     r->half_u = plane ? WALL_ENDLESS : l->def.half_side[0];
     r->half_v = plane ? WALL_ENDLESS : l->def.half_side[1];
-    bool never_clear = wall_is_uneven(l) || l->smooth >= 0 || is_plate_of(l);
-    r->rim = never_clear ? WALL_ENDLESS : l->family >= 0 ? wall_rim(l) : -WALL_ENDLESS;
+    bool never_clear = l->smooth >= 0 || is_plate_of(l);
+    r->rim = never_clear      ? WALL_ENDLESS
+             : l->family >= 0 ? fmax(l->rim, wall_rim(l))
+                              : -WALL_ENDLESS;
     place_row(w, r, l);
 }
 

@@ -237,6 +237,7 @@ typedef struct wall {
     wall_extent extent;
     patch patch;
     bool is_rectangle; /* a patch that fills the rectangle of half_side about its point */
+    double rim; /* m: farther inside its box than this is inside a patch; WALL_ENDLESS: nowhere */
     int family; /* those of a mesh, or plates in one plane: one may hide another; -1: none does */
     int smooth; /* facets of one smooth patch: the first of its walls; -1: for itself */
     double smooth_cosine; /* of the angle within which they are felt as one */
