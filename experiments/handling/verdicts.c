@@ -39,20 +39,26 @@ static void judge_singulation(const court *c, const handling_study *s) {
     say(c, "singulation: speed on the fast conveyor", one.speed);
 }
 
-/* Share of arches over some of the shapes and some of the orifices. */
-static double arches_of(const handling_study *s, int shape, int shapes, int orifice, int orifices) {
-    double sum = 0;
+/* Share of arches over some of the shapes and some of the orifices; one run is a sample of 0 or 1.
+ */
+static interval arches_of(const handling_study *s, int shape, int shapes, int orifice,
+                          int orifices) {
+    double arched[RUNS_MAX];
     int runs = 0;
     for (int i = shape; i < shape + shapes; i++)
         for (int k = orifice; k < orifice + orifices; k++) {
             bin_summary b = bin_over(s, 0, i, k);
-            if (b.runs > 0) sum += b.arched.mean * b.runs, runs += b.runs;
+            int here = b.runs > 0 ? (int)lround(b.arched.mean * b.runs) : 0;
+            for (int n = 0; n < b.runs; n++) arched[runs++] = n < here;
         }
-    return runs ? sum / runs : NAN;
+    return mean_interval(arched, runs);
 }
 
-static double is_above(double a, double b) {
-    return isnan(a) || isnan(b) ? NAN : a > b;
+/* 1 where it is shown that a is above b (two-sided P < 0.05), or where neither scatters. */
+static double is_above(interval a, interval b) {
+    if (isnan(a.mean) || isnan(b.mean)) return NAN;
+    double p = t_test_welch(a, b).p;
+    return a.mean > b.mean && !(p >= 0.05);
 }
 
 static void judge_bin(const court *c, const handling_study *s) {
@@ -64,9 +70,10 @@ static void judge_bin(const court *c, const handling_study *s) {
         if (b.runs > 0) say(c, quantity, b.arched);
     }
     if (s->size->orifices < ORIFICES) return;
-    double narrow = arches_of(s, 0, SHAPES, 0, 1), wide = arches_of(s, 0, SHAPES, ORIFICES - 1, 1);
-    double short_ones = arches_of(s, 0, 2, 0, ORIFICES);
-    double long_ones = arches_of(s, SHAPES - 2, 2, 0, ORIFICES);
+    interval narrow = arches_of(s, 0, SHAPES, 0, 1);
+    interval wide = arches_of(s, 0, SHAPES, ORIFICES - 1, 1);
+    interval short_ones = arches_of(s, 0, 2, 0, ORIFICES);
+    interval long_ones = arches_of(s, SHAPES - 2, 2, 0, ORIFICES);
     say(c, "bin: arches less often at 8 cm than at 5 cm", interval_exact(is_above(narrow, wide)));
     say(c, "bin: arches more often with the aspect ratio",
         interval_exact(is_above(long_ones, short_ones)));
