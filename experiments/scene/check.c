@@ -235,12 +235,12 @@ static void check_plate(scene_reader *r, const wall_item *wall, const tree_node 
 
 static void check_surface(scene_reader *r, const wall_item *wall) {
     static const char *const OF_FILES[] = {"unit", "axes", "weld"};
-    static const char *const OF_TRIANGLES[] = {"scale", "rotation", "at"};
+    static const char *const OF_TRIANGLES[] = {"scale", "rotation", "at", "smooth_angle"};
     const tree_node *node = wall->item.node;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         check_unused(r, node, OF_FILES[i], tree_get(node, "mesh") != NULL, "mesh");
+    for (int i = 0; i < 4; i++)
         check_unused(r, node, OF_TRIANGLES[i], scene_is_surface(wall), "mesh, bar, tube and bend");
-    }
     check_turn(r, tree_get(node, "rotation"), &wall->surface.turn);
     int axis[3];
     if (was_given(r, node, "axes") && mesh_axes_parse(wall->surface.axes, axis) != MESH_OK)

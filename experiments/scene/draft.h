@@ -116,7 +116,7 @@ typedef struct copies_rule {
 /* A wall of triangles, from a file or made from measures, and where it is put. */
 typedef struct surface_rule {
     const char *mesh, *axes;
-    double unit, weld, scale;
+    double unit, weld, scale, smooth_angle;
     mesh_bar bar; /* whichever the file gives */
     mesh_tube tube;
     mesh_bend bend;

@@ -138,6 +138,10 @@ static const scene_key WALL_KEYS[] = {
      .meaning = "of the same: turned about the origin then"},
     {"at", KEY_VECTOR, UNIT_LENGTH, FIELD(surface.at), ANY, .fallback = "[0, 0, 0]",
      .meaning = "of the same: moved there last"},
+    {"smooth_angle", KEY_NUMBER, UNIT_ANGLE, FIELD(surface.smooth_angle), WITHIN(0, 1.5707963),
+     .word = "none", .fallback = "35 deg",
+     .meaning = "flat pieces of the same that meet at a smaller angle are felt as one surface with "
+                "one contact; none: every flat piece for itself"},
     {"copies", KEY_SECTION, .section = &COPIES,
      .meaning = "the same wall several times, whatever its kind"},
     {"belt", KEY_VECTOR, UNIT_SPEED, FIELD(belt), ANY, .fallback = "[0, 0, 0]",

@@ -106,12 +106,14 @@ static void remember(scene_reader *r, scene_draft *d, const clast_mesh_def *def,
 
 static bool add_copy(scene_reader *r, clast_world *w, scene_draft *d, const wall_item *wall,
                      const mesh_surface *surface, int copy, int still) {
+    double angle = wall->surface.smooth_angle; /* 0 is "none" here, "as usual" in the engine */
     clast_mesh_def def = {.name = scene_copy_name(r->arena, wall, copy),
                           .material = wall->material,
                           .vertices = (int)surface->vertex_count,
                           .triangles = (int)surface->triangle_count,
                           .triangle = surface->triangle,
-                          .belt_velocity = wall->belt};
+                          .belt_velocity = wall->belt,
+                          .smooth_angle = angle > 0 ? angle : -1};
     def.vertex = vertices_of(r->arena, surface, scene_copy_shift(wall, copy));
     int first = clast_world_wall_count(w);
     int walls = clast_mesh_add(w, scene_copy_part(wall, copy, still), &def);

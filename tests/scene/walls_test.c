@@ -1,6 +1,7 @@
 /* walls_test.c - walls of triangles: every key of walls.yaml is found again in the world. */
 #include "tests/scene/testing.h"
 
+#include "engine/world.h"
 #include "experiments/scene/scene.h"
 #include "meshes/shapes.h"
 
@@ -26,8 +27,8 @@ static const scene_mesh *find(const scene *s, const char *name) {
     return NULL;
 }
 
-static const char *part_of(const scene *s, int wall) {
-    return clast_world_part(s->world, clast_world_wall_part(s->world, wall)).name;
+static const char *part_of(const scene *s, int index) {
+    return clast_world_part(s->world, clast_world_wall_part(s->world, index)).name;
 }
 
 static void near(double got, double want) {
@@ -108,14 +109,36 @@ static void belts_and_copies_reach_every_piece(void **state) {
         near(clast_world_wall(s->world, belt->wall + i).belt_velocity.z, 0.1);
     int ribs = 0;
     for (int i = 0; i < clast_world_wall_count(s->world); i++) {
-        clast_wall_def wall = clast_world_wall(s->world, i);
-        if (strncmp(wall.name, "rib-", 4) != 0) continue;
-        near(wall.point.x, 0.01 * ribs++);
-        assert_int_equal(wall.name[4], '0' + ribs);
+        clast_wall_def def = clast_world_wall(s->world, i);
+        if (strncmp(def.name, "rib-", 4) != 0) continue;
+        near(def.point.x, 0.01 * ribs++);
+        assert_int_equal(def.name[4], '0' + ribs);
     }
     assert_int_equal(ribs, 2);
     assert_non_null(strstr(s->mesh_reports, "wedge.obj: 8 triangles, "));
     assert_non_null(strstr(s->mesh_reports, "bend, bend: "));
+    scene_free(s);
+}
+
+/* Flat pieces of a mesh that are part of a smooth surface. */
+static int smooth_pieces(const scene *s, const char *name) {
+    const scene_mesh *m = find(s, name);
+    int count = 0;
+    for (int i = 0; i < m->walls; i++) count += s->world->walls[m->wall + i].smooth >= 0;
+    return count;
+}
+
+/* The nose of the bar turns by 100 degrees: seams of 20 degrees, of 10 at its ends. */
+static void the_smooth_angle_joins_flat_pieces(void **state) {
+    (void)state;
+    scene *s = load(NULL, 0);
+    assert_int_equal(smooth_pieces(s, "bar"), 7); /* top, five of the nose, front */
+    assert_int_equal(smooth_pieces(s, "pipe"), 0);
+    assert_int_equal(smooth_pieces(s, "wedge-1"), 0);
+    scene_free(s);
+    s = load_file(ELBOW, NULL, 0);
+    assert_int_equal(smooth_pieces(s, "tube"), 48);
+    assert_int_equal(smooth_pieces(s, "bend"), 48 * 24);
     scene_free(s);
 }
 
@@ -167,6 +190,7 @@ int main(void) {
                                        cmocka_unit_test(shapes_have_the_measures_of_the_scene),
                                        cmocka_unit_test(belts_and_copies_reach_every_piece),
                                        cmocka_unit_test(another_file_is_one_setting),
+                                       cmocka_unit_test(the_smooth_angle_joins_flat_pieces),
                                        cmocka_unit_test(balls_go_through_a_pipe)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
