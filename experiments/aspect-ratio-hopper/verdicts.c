@@ -1,6 +1,5 @@
 /* verdicts.c - every number and sentence of A00 chapter 5, ours beside it. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "experiments/aspect-ratio-hopper/aspect.h"
 #include "experiments/study/published.h"
@@ -13,11 +12,7 @@ typedef struct court {
 } court;
 
 static void say(const court *c, const char *quantity, interval ours) {
-    const published *p = published_find(c->published, quantity);
-    if (!p) {
-        fprintf(stderr, "aspect-ratio-hopper: published.csv has no row '%s'\n", quantity);
-        exit(4);
-    }
+    const published *p = published_need(c->published, quantity);
     bool tested = p->quantity[0] == 'P';
     verdict_published(c->table, p, ours, c->same_hopper && (c->replicated || !tested));
 }
