@@ -102,6 +102,26 @@ static void a_plane_in_pieces_is_a_plane(void **state) {
     assert_true(SMALL < .1 / 32 && LARGE > .1 / 32);
 }
 
+/* 20 000 triangles of a plane: in squares, and as slivers 320 times as long as wide. */
+static void twenty_thousand_triangles_are_a_plane(void **state) {
+    (void)state;
+    dice d = {8, 0};
+    static const int cells[2][2] = {{100, 100}, {2000, 5}};
+    for (int kind = 1; kind < 3; kind++)
+        for (int cut = 0; cut < 2; cut++) {
+            clast_quat q = any_orientation(&d);
+            clast_vec3 offset = vec(0.1, 0.2, -0.4);
+            trace want = run_slide(&SLIDES[kind], NULL, q, offset);
+            surface *s = empty_surface();
+            add_sheet(s, vec(-.05, -.04, 0), vec(.1, 0, 0), vec(0.01, .08, 0), cells[cut][0],
+                      cells[cut][1], &d);
+            assert_int_equal(s->triangles, 20000);
+            turn_surface(s, q, offset);
+            trace got = run_slide(&SLIDES[kind], s, q, offset);
+            compare_traces(&got, &want, kind, cells[cut][0]);
+        }
+}
+
 /* Whatever the cut, one plane is one patch; in single precision too, with slivers. */
 static void one_plane_is_one_patch(void **state) {
     (void)state;
@@ -496,13 +516,14 @@ static void a_lid_of_many_triangles(void **state) {
     clast_world_free(w);
 }
 
-TEST_MAIN(cmocka_unit_test(a_plane_in_pieces_is_a_plane), cmocka_unit_test(one_plane_is_one_patch),
-          cmocka_unit_test(a_fine_curve_is_no_plane),
+TEST_MAIN(cmocka_unit_test(a_plane_in_pieces_is_a_plane),
+          cmocka_unit_test(twenty_thousand_triangles_are_a_plane),
+          cmocka_unit_test(one_plane_is_one_patch), cmocka_unit_test(a_fine_curve_is_no_plane),
           cmocka_unit_test(a_doubled_triangle_is_a_triangle), cmocka_unit_test(a_box_is_felt_once),
           cmocka_unit_test(borders_between_face_and_edge),
           cmocka_unit_test(a_concave_corner_is_felt_by_every_face),
           cmocka_unit_test(one_prism_cut_otherwise_gives_one_trace),
-          cmocka_unit_test(a_bar_pushes_like_a_plane), 
+          cmocka_unit_test(a_bar_pushes_like_a_plane),
           cmocka_unit_test(nothing_leaks_from_a_closed_mesh),
           cmocka_unit_test(what_is_no_mesh_is_refused),
           cmocka_unit_test(corners_that_are_none_are_refused),
