@@ -21,8 +21,8 @@ static inline bool needs_settling(const settling *s, const batch *b, const wall_
     const real *was = (const real *)s->list->column[0] + begin;
     int touched = 0, ended = 0, uneven = 0;
     for (int i = from; i < to; i++) {
-        bool touches = b->overlap[i] > 0;
-        touched += touches;
+        bool touches = b->overlap[i] > 0, of_family = l->v[3][i] > -WALL_ENDLESS; /* its rim */
+        touched += touches && of_family;
         ended += was[i] > 0 && !touches;
         if (l->look[i] != 0 && touches)
             uneven += wall_is_uneven(&s->w->walls[s->list->b[begin + (size_t)i]]);
