@@ -1,6 +1,7 @@
 /* frame.c - one moment of a world as an HDF5 file, for pictures, ParaView and studies.
  *
  *     /body/id, shape, position[n,3], orientation[n,4] (w x y z), velocity[n,3], spin[n,3]
+ *     /body/image[n,3]                                                  where an axis is periodic
  *     /sphere/centre[m,3], radius, speed (single precision), body (id)
  *     /contact/a, b, point[k,3], force[k,3], normal_force, overlap      when asked for
  *
@@ -37,6 +38,16 @@ static void write_rows(h5_file *f, const char *name, const size_t *order, size_t
     free(all);
 }
 
+/* Times that the bodies have left by the upper face, less those by the lower one. */
+static void write_images(h5_file *f, const clast_bodies *b, const size_t *order) {
+    if (!b->image[0] && !b->image[1] && !b->image[2]) return;
+    int32_t *all = rows(3 * b->count, sizeof *all);
+    for (size_t i = 0; i < b->count; i++)
+        for (size_t k = 0; k < 3; k++) all[3 * i + k] = b->image[k] ? b->image[k][order[i]] : 0;
+    h5_write(f, "/body/image", H5_I32, 2, (size_t[]){b->count, 3}, all);
+    free(all);
+}
+
 static void write_bodies(h5_file *f, const clast_bodies *b, const size_t *order) {
     size_t n = b->count;
     uint32_t *id = rows(n, sizeof *id);
@@ -48,6 +59,7 @@ static void write_bodies(h5_file *f, const clast_bodies *b, const size_t *order)
     write_rows(f, "/body/orientation", order, n, 4, (const double *[]){b->qw, b->qx, b->qy, b->qz});
     write_rows(f, "/body/velocity", order, n, 3, (const double *[]){b->vx, b->vy, b->vz});
     write_rows(f, "/body/spin", order, n, 3, (const double *[]){b->wx, b->wy, b->wz});
+    write_images(f, b, order);
     free(id);
     free(shape_of);
 }

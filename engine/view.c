@@ -102,7 +102,8 @@ clast_part_load clast_world_part_load(clast_world *w, int index) {
             continue;
         vec3 on_part = v3_scale(-1, r->force);
         load.force = v3_add(load.force, on_part);
-        load.torque = v3_add(load.torque, v3_cross(v3_sub(r->point, load.about), on_part));
+        vec3 at = image_at_wall(w, &w->walls[r->record.b - CLAST_WALL_ID], r->point);
+        load.torque = v3_add(load.torque, v3_cross(v3_sub(at, load.about), on_part));
     }
     free(readings);
     return load;
