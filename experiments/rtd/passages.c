@@ -141,6 +141,13 @@ void passages_free(passages *p) {
     free(p);
 }
 
+void passages_scale(passages *p, double factor) {
+    CLAST_ASSERT(p && factor > 0);
+    for (size_t i = 0; i < p->count; i++) p->items[i].in *= factor, p->items[i].out *= factor;
+    for (size_t i = 0; i < p->bed_count; i++) p->bed_out[i] *= factor;
+    p->end *= factor;
+}
+
 double holdup_at(const passages *p, double time) {
     CLAST_ASSERT(p);
     double sum = p->bed;

@@ -57,6 +57,9 @@ passages *passages_read(const char *folder, const rtd_options *o, char why[RTD_E
 passages *passages_new(const passage *items, size_t count, double end);
 void passages_free(passages *p);
 
+/* All times as if a run had gone `factor` times slower; factor > 0. */
+void passages_scale(passages *p, double factor);
+
 /* kg inside at a moment. */
 double holdup_at(const passages *p, double time);
 

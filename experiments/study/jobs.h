@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { JOB_SETTINGS = 12, JOB_TEXT = 400, JOB_FOLDER = 700 };
+enum { JOB_SETTINGS = 16, JOB_TEXT = 400, JOB_FOLDER = 700 };
 
 typedef struct job {
     const char *scene;                /* path of the YAML file */

@@ -34,18 +34,31 @@ static size_t frame_at(const char *run, double time) {
     return nearest;
 }
 
-int picture_still(const char *clast, const char *run, double time, const char *folder,
-                  const char *name, const char *colour) {
+static int still(const char *clast, const char *run, double time, const char *folder,
+                 const char *name, const char *colour, const char *marked) {
     char out[PATH_ROOM], frames[48], from[PATH_ROOM + 32], to[PATH_ROOM + 32];
     size_t nearest = frame_at(run, time);
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(frames, sizeof frames, "%zu:%zu", nearest, nearest);
-    int bad = command((const char *const[]){clast, "render", run, "--out", out, "--frames", frames,
-                                            "--colour", colour, NULL});
+    int bad =
+        command((const char *const[]){clast, "render", run, "--out", out, "--frames", frames,
+                                      "--colour", colour, marked ? "--mark" : NULL, marked, NULL});
     if (bad) return bad;
     snprintf(from, sizeof from, "%s/frame-000000.png", out);
     snprintf(to, sizeof to, "%s.png", out);
     return rename(from, to) == 0 && rmdir(out) == 0 ? 0 : 4;
+}
+
+int picture_still(const char *clast, const char *run, double time, const char *folder,
+                  const char *name, const char *colour) {
+    return still(clast, run, time, folder, name, colour, NULL);
+}
+
+int picture_marked(const char *clast, const char *run, double time, const char *folder,
+                   const char *name, const char *colour, uint32_t id) {
+    char marked[16];
+    snprintf(marked, sizeof marked, "%u", (unsigned)id);
+    return still(clast, run, time, folder, name, colour, marked);
 }
 
 /* ffmpeg is optional: without it there are frames and no film. */

@@ -7,9 +7,15 @@
 #ifndef CLAST_STUDY_PICTURES_H
 #define CLAST_STUDY_PICTURES_H
 
+#include <stdint.h>
+
 /* The frame of a run that is nearest to a time, as <folder>/<name>.png. */
 int picture_still(const char *clast, const char *run, double time, const char *folder,
                   const char *name, const char *colour);
+
+/* The same with one body in black. */
+int picture_marked(const char *clast, const char *run, double time, const char *folder,
+                   const char *name, const char *colour, uint32_t id);
 
 /* All frames as <folder>/<name>/frame-*.png, and <folder>/<name>.mp4 where there is ffmpeg.
  * speed_max: m/s as text, the end of the scale of the colour `speed` in all frames; NULL: that of

@@ -1,0 +1,202 @@
+/* plan.c - the cases, and which of them a size is made of. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/check.h"
+#include "experiments/grate-rtd/grate.h"
+
+static const double BAR_SPEED = 3.5, PAUSE = 1, FRAMES = 120; /* mm/s, s, s, as in the scenes */
+static const double DEGREE = 3.14159265358979323846 / 180;
+
+/* Grate and bars of each device (S12 Tables 4.1 and 4.7). */
+static const struct {
+    double slope; /* degrees, rising towards +x */
+    int way;      /* of downhill */
+} DEVICES[] = {[FORWARD] = {-13, 1}, [BACKWARD] = {25, -1}, [STAIRS] = {-20, 1}};
+
+#define GRATE   "grate.yaml"
+#define LINEAR  "linear.yaml"
+#define PACKING "packing.yaml"
+
+#define CLAY    .diameter = 0.021
+#define WOOD    .diameter = 0.015
+#define CERAMIC .diameter = 0.0126
+#define NARROW  .diameter = 0.014
+
+/* Table 3.4 and section 3.9.4: its walls are bars. */
+#define WOOD_FAST "grain=wood", "side=acrylic", "bar_speed=35 mm/s", "pause=0.1 s", "frames=4 s"
+
+/* Variants run at the published size alone. */
+#define PUBLISHED(time)                                                                            \
+    { 0, 0, time, time }
+#define POURED                                                                                     \
+    { 0, 4.0 / 3600, 4.0 / 3600, 4.0 / 3600 }
+
+/* Rows of tables read better as they stand here. */
+/* clang-format off */
+/* What an assumption does to clay on a grate: a row of its own, at a pitch and a width. */
+#define CLAY_ROW(which, on, what, value, wide, apart, ...)                                         \
+    {.name = which ": " value, .group = GROUP_VARIANT, .assumption = what, .of = which,            \
+     .device = on, .scene = GRATE, .set = {"grain=clay", __VA_ARGS__}, .hours = PUBLISHED(6),      \
+     .feed = 20, CLAY, .across = wide, .pitch = apart}
+
+#define CLAY_ROWS(which, on)                                                                       \
+    CLAY_ROW(which, on, "bars and feed", "10 x", 1, 0, NULL),                                      \
+    CLAY_ROW(which, on, "time step", "0.5 ms", 1, 0, "step=0.5 ms"),                               \
+    CLAY_ROW(which, on, "time step", "0.25 ms", 1, 0, "step=0.25 ms"),                             \
+    CLAY_ROW(which, on, "pause", "none", 1, 0, "pause=0 s"),                                       \
+    CLAY_ROW(which, on, "pause", "5 s", 1, 0, "pause=0.5 s"),                                      \
+    CLAY_ROW(which, on, "drop", "0.1 m", 1, 0, "drop=100 mm"),                                     \
+    CLAY_ROW(which, on, "drop", "0.3 m", 1, 0, "drop=300 mm"),                                     \
+    CLAY_ROW(which, on, "nose radius", "1 mm", 1, 0, "nose=1 mm"),                                 \
+    CLAY_ROW(which, on, "nose radius", "15 mm", 1, 0, "nose=15 mm"),                               \
+    CLAY_ROW(which, on, "travel", "60 mm", 1, 0, "travel=60 mm", "behind=30 mm"),                  \
+    CLAY_ROW(which, on, "moving bars start", "30 mm behind the line", 1, 0, "behind=30 mm"),       \
+    CLAY_ROW(which, on, "Young's modulus", "0.4 MPa", 1, 0, "young_clay=0.4 MPa", "step=0.5 ms"),  \
+    CLAY_ROW(which, on, "pitch", "100 mm", 1, 0.1, NULL),                                          \
+    CLAY_ROW(which, on, "width", "2 particles", 2, 0, NULL)
+
+const grate_case CASES[] = {
+    {.name = "forward clay", .group = GROUP_MAIN, .device = FORWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = {1, 5, 15, 45}, .feed = 20, CLAY, .across = 1},
+    {.name = "backward clay", .group = GROUP_MAIN, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = {1, 5, 15, 45}, .feed = 20, CLAY, .across = 1},
+    {.name = "backward wood", .group = GROUP_MAIN, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=wood"}, .hours = {0, 2, 6, 18}, .feed = 40, WOOD, .across = 1},
+    {.name = "backward ceramic", .group = GROUP_MAIN, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=ceramic"}, .hours = {0, 3, 8, 24}, .feed = 60, CERAMIC, .across = 1},
+
+    {.name = "backward clay 10 kg/h", .group = GROUP_FEED, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = PUBLISHED(7), .feed = 10, CLAY, .across = 1},
+    {.name = "backward clay 14 kg/h", .group = GROUP_FEED, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = PUBLISHED(6), .feed = 14, CLAY, .across = 1},
+    {.name = "backward clay 28 kg/h", .group = GROUP_FEED, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = PUBLISHED(4), .feed = 28, CLAY, .across = 1},
+    {.name = "backward clay 40 kg/h", .group = GROUP_FEED, .device = BACKWARD, .scene = GRATE,
+     .set = {"grain=clay"}, .hours = {0, 2, 4, 12}, .feed = 40, CLAY, .across = 1},
+
+    {.name = "width 1", .group = GROUP_WIDTH, .device = STAIRS, .scene = LINEAR,
+     .hours = PUBLISHED(3), .feed = 20, NARROW, .across = 1},
+    {.name = "width 2", .group = GROUP_WIDTH, .device = STAIRS, .scene = LINEAR,
+     .hours = PUBLISHED(1.2), .feed = 20, NARROW, .across = 2},
+    {.name = "width 5", .group = GROUP_WIDTH, .device = STAIRS, .scene = LINEAR,
+     .hours = PUBLISHED(1.2), .feed = 20, NARROW, .across = 5},
+
+    {.name = "fast 13.6 kg/h", .group = GROUP_FAST, .device = BACKWARD, .scene = LINEAR,
+     .set = {WOOD_FAST}, .hours = {0, 0.1, 0.5, 1.5}, .feed = 13.6, WOOD, .across = 2},
+    {.name = "fast 10.2 kg/h", .group = GROUP_FAST, .device = BACKWARD, .scene = LINEAR,
+     .set = {WOOD_FAST}, .hours = PUBLISHED(0.4), .feed = 10.2, WOOD, .across = 2},
+    {.name = "fast 6.8 kg/h", .group = GROUP_FAST, .device = BACKWARD, .scene = LINEAR,
+     .set = {WOOD_FAST}, .hours = {0, 0.1, 0.4, 1}, .feed = 6.8, WOOD, .across = 2},
+
+    {.name = "packing 1", .group = GROUP_PACKING, .scene = PACKING, .set = {"count=115"},
+     .hours = POURED, WOOD, .across = 1, .replicates = 5},
+    {.name = "packing 2", .group = GROUP_PACKING, .scene = PACKING, .set = {"count=230"},
+     .hours = POURED, WOOD, .across = 2, .replicates = 5},
+    {.name = "packing 3", .group = GROUP_PACKING, .scene = PACKING, .set = {"count=345"},
+     .hours = POURED, WOOD, .across = 3, .replicates = 5},
+    {.name = "packing 5", .group = GROUP_PACKING, .scene = PACKING, .set = {"count=575"},
+     .hours = POURED, WOOD, .across = 5, .replicates = 5},
+    {.name = "packing wide", .group = GROUP_PACKING, .scene = PACKING, .set = {"count=1150"},
+     .hours = POURED, WOOD, .across = 10, .replicates = 5},
+
+    CLAY_ROWS("forward clay", FORWARD),
+    CLAY_ROWS("backward clay", BACKWARD),
+
+    {.name = "fast 13.6 kg/h: 74 mm", .group = GROUP_VARIANT, .assumption = "pitch",
+     .of = "fast 13.6 kg/h", .device = BACKWARD, .scene = LINEAR, .set = {WOOD_FAST},
+     .hours = PUBLISHED(0.25), .feed = 13.6, WOOD, .across = 2, .pitch = 0.074},
+    {.name = "fast 13.6 kg/h: 98 mm", .group = GROUP_VARIANT, .assumption = "pitch",
+     .of = "fast 13.6 kg/h", .device = BACKWARD, .scene = LINEAR, .set = {WOOD_FAST},
+     .hours = PUBLISHED(0.25), .feed = 13.6, WOOD, .across = 2, .pitch = 0.098},
+    {.name = "fast 13.6 kg/h: 109 mm", .group = GROUP_VARIANT, .assumption = "pitch",
+     .of = "fast 13.6 kg/h", .device = BACKWARD, .scene = LINEAR, .set = {WOOD_FAST},
+     .hours = PUBLISHED(0.25), .feed = 13.6, WOOD, .across = 2, .pitch = 0.109},
+};
+/* clang-format on */
+const int CASE_COUNT = sizeof CASES / sizeof *CASES;
+
+double case_slope(const grate_case *c) {
+    return c->group == GROUP_PACKING ? 0 : DEVICES[c->device].slope * DEGREE;
+}
+
+double case_pitch(const grate_case *c) {
+    return c->pitch > 0 ? c->pitch : PITCH;
+}
+
+/* A particle needs some gap (S12 3.9.4): 2 % of it. */
+double case_width(const grate_case *c) {
+    return c->diameter * (c->across + 0.02);
+}
+
+static bool is_fast(const grate_case *c) {
+    return c->group == GROUP_FAST || (c->of && !strncmp(c->of, "fast", 4));
+}
+
+/* Sensitivity rows are compared among each other: all at ten times the speed. */
+double case_speed_up(const grate_case *c, study_size size) {
+    if (is_fast(c) || c->group == GROUP_PACKING) return 1;
+    return size <= STUDY_BRIEF || c->group == GROUP_VARIANT ? 10 : 1;
+}
+
+/* ---- jobs ------------------------------------------------------------------------------------ */
+
+static char *path_of(const char *name) {
+    char *path = malloc(strlen(SCENES) + strlen(name) + 2);
+    CLAST_ASSERT(path);
+    sprintf(path, "%s/%s", SCENES, name);
+    return path;
+}
+
+static void set_grate(job *j, const grate_case *c, double speed_up) {
+    job_set(j, "slope=%g deg", DEVICES[c->device].slope);
+    job_set(j, "way=%d", DEVICES[c->device].way);
+    job_set(j, "rate=%g kg/h", c->feed * speed_up);
+    job_set(j, "largest=%g mm", 1e3 * c->diameter);
+    if (speed_up > 1) {
+        job_set(j, "bar_speed=%g mm/s", BAR_SPEED * speed_up);
+        job_set(j, "pause=%g s", PAUSE / speed_up);
+        job_set(j, "frames=%g s", FRAMES / speed_up);
+    }
+    if (c->pitch > 0) job_set(j, "pitch=%g mm", 1e3 * c->pitch);
+    /* this feed is that of the channel */
+    if (is_fast(c)) job_set(j, "over=%.9g mm", 1e3 * case_width(c));
+}
+
+static void plan_one(grate_study *s, const grate_case *c, int replicate) {
+    job *j = &s->jobs[s->count];
+    j->scene = path_of(c->scene);
+    snprintf(j->label, sizeof j->label, "%s", c->name);
+    for (char *at = j->label; *at; at++)
+        if (strchr(" ,/", *at)) *at = '-';
+    double speed_up = case_speed_up(c, s->size);
+    job_set(j, "end=%.9g s", 3600 * c->hours[s->size] / speed_up);
+    job_set(j, "width=%.9g mm", 1e3 * case_width(c));
+    if (c->group != GROUP_PACKING) set_grate(j, c, speed_up);
+    if (replicate > 0) job_set(j, "seed=%d", 1 + replicate);
+    for (int i = 0; i < CASE_SETTINGS && c->set[i]; i++) job_set(j, "%s", c->set[i]);
+    jobs_name(j, s->root);
+    s->results[s->count++] =
+        (grate_result){.of = c, .replicate = replicate, .speed_up = speed_up, .folder = j->folder};
+}
+
+void grate_plan(grate_study *s) {
+    for (int i = 0; i < CASE_COUNT; i++) {
+        int replicates = CASES[i].replicates > 0 ? CASES[i].replicates : 1;
+        for (int k = 0; CASES[i].hours[s->size] > 0 && k < replicates; k++) {
+            CLAST_ASSERT(s->count < CASES_MAX);
+            plan_one(s, &CASES[i], k);
+        }
+    }
+}
+
+int grate_run_all(grate_study *s) {
+    return jobs_run(s->jobs, s->count, jobs_processes(), "grates");
+}
+
+const grate_result *result_of(const grate_study *s, const char *name) {
+    for (int i = 0; i < s->count; i++)
+        if (!strcmp(s->results[i].of->name, name)) return s->results[i].rtd ? &s->results[i] : NULL;
+    return NULL;
+}
