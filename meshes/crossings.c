@@ -1,5 +1,6 @@
 /* Triangles that pass through each other, found with a tree of boxes. */
 #include "meshes/status.h"
+#include "meshes/vector.h"
 #include "meshes/work.h"
 
 #include <math.h>
@@ -36,22 +37,13 @@ typedef struct tree {
 
 /* ---- vectors --------------------------------------------------------------------------------- */
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 static const double *corner(const mesh_work *w, int32_t t, int k) {
     return w->vertex + 3 * (size_t)w->corner[3 * (size_t)t + (size_t)k];
 }
 
 static void unit_normal(const mesh_work *w, int32_t t, double n[3]) {
     mesh_normal(w, (size_t)t, n);
-    double length = sqrt(dot(n, n));
+    double length = sqrt(mesh_dot(n, n));
     for (int k = 0; k < 3; k++) n[k] /= length;
 }
 
@@ -62,9 +54,9 @@ static void unit_normal(const mesh_work *w, int32_t t, double n[3]) {
 static bool straddles(const mesh_work *w, int32_t t, int32_t other, const double n[3],
                       double height[3]) {
     bool above = false, below = false;
-    double offset = dot(n, corner(w, other, 0));
+    double offset = mesh_dot(n, corner(w, other, 0));
     for (int k = 0; k < 3; k++) {
-        height[k] = dot(n, corner(w, t, k)) - offset;
+        height[k] = mesh_dot(n, corner(w, t, k)) - offset;
         if (fabs(height[k]) <= w->report->weld_distance) height[k] = 0;
         above = above || height[k] > 0;
         below = below || height[k] < 0;
@@ -78,7 +70,8 @@ static void span(const mesh_work *w, int32_t t, const double height[3], const do
     *from = INFINITY, *to = -INFINITY;
     for (int k = 0; k < 3; k++) {
         int next = (k + 1) % 3;
-        double a = dot(along, corner(w, t, k)), b = dot(along, corner(w, t, next)), at = a;
+        double a = mesh_dot(along, corner(w, t, k)), b = mesh_dot(along, corner(w, t, next)),
+               at = a;
         if (height[k] * height[next] < 0)
             at = a + (b - a) * height[k] / (height[k] - height[next]);
         else if (height[k] != 0)
@@ -97,8 +90,8 @@ static bool cross_each_other(const mesh_work *w, int32_t a, int32_t b) {
     if (!straddles(w, a, b, nb, ha)) return false;
     unit_normal(w, a, na);
     if (!straddles(w, b, a, na, hb)) return false;
-    cross(na, nb, along);
-    double length = sqrt(dot(along, along));
+    mesh_cross(na, nb, along);
+    double length = sqrt(mesh_dot(along, along));
     for (int k = 0; k < 3; k++) along[k] /= length;
     span(w, a, ha, along, &from[0], &to[0]);
     span(w, b, hb, along, &from[1], &to[1]);

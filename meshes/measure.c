@@ -1,14 +1,10 @@
+#include "meshes/vector.h"
 #include "meshes/work.h"
 
 #include <math.h>
 
 static const double *corner(const mesh_work *w, size_t t, size_t k) {
     return w->vertex + 3 * (size_t)w->corner[3 * t + k];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
 static void from(const double origin[3], const double p[3], double out[3]) {
@@ -19,7 +15,7 @@ void mesh_normal(const mesh_work *w, size_t triangle, double normal[3]) {
     double b[3], c[3];
     from(corner(w, triangle, 0), corner(w, triangle, 1), b);
     from(corner(w, triangle, 0), corner(w, triangle, 2), c);
-    cross(b, c, normal);
+    mesh_cross(b, c, normal);
 }
 
 double mesh_six_volumes(const mesh_work *w, size_t triangle, const double origin[3]) {

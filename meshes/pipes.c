@@ -1,5 +1,6 @@
 #include "meshes/make.h"
 #include "meshes/shapes.h"
+#include "meshes/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,15 +22,6 @@ typedef struct pipe {
 
 /* ---- vectors --------------------------------------------------------------------------------- */
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 static bool is_finite(const double a[3]) {
     return isfinite(a[0]) && isfinite(a[1]) && isfinite(a[2]);
 }
@@ -37,7 +29,7 @@ static bool is_finite(const double a[3]) {
 /* to - from as a direction; its length. */
 static double direction(const double from[3], const double to[3], double out[3]) {
     for (int k = 0; k < 3; k++) out[k] = to[k] - from[k];
-    double length = sqrt(dot(out, out));
+    double length = sqrt(mesh_dot(out, out));
     for (int k = 0; k < 3; k++) out[k] /= length;
     return length;
 }
@@ -134,7 +126,7 @@ mesh_status mesh_make_tube(const mesh_tube *t, mesh_surface *surface) {
     if (status != MESH_OK) return status;
     ring r = {.radius = t->radius};
     across(along, r.u);
-    cross(along, r.u, r.v);
+    mesh_cross(along, r.u, r.v);
     memcpy(r.centre, t->from, sizeof r.centre);
     place_ring(&p, 0, &r);
     memcpy(r.centre, t->to, sizeof r.centre);
@@ -156,7 +148,7 @@ static arc arc_of(const mesh_bend *b) {
     arc a;
     a.radius = direction(b->centre, b->mouth, a.out);
     direction(zero, b->axis, a.axis);
-    cross(a.axis, a.out, a.along);
+    mesh_cross(a.axis, a.out, a.along);
     return a;
 }
 
@@ -165,7 +157,7 @@ static const char *fault_of_bend(const mesh_bend *b, const arc *a) {
     if (fault) return fault;
     if (!is_finite(b->centre) || !is_finite(b->mouth) || !(b->radius + b->thickness < a->radius))
         return "the bending radius must be above pipe radius and thickness";
-    if (!is_finite(a->axis) || !(fabs(dot(a->axis, a->out)) <= 1e-9))
+    if (!is_finite(a->axis) || !(fabs(mesh_dot(a->axis, a->out)) <= 1e-9))
         return "the axis must be at right angles to the way from the centre to the mouth";
     if (!(b->angle > 0 && b->angle <= 2 * PI)) return "the angle must be above 0, 2 pi at most";
     if (b->rings < (b->angle == 2 * PI ? 3 : b->angle >= PI ? 2 : 1))
