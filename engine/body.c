@@ -93,13 +93,17 @@ void body_remove(clast_world *w, size_t slot) {
     w->counters.removed++;
 }
 
+/* Room for so many ids ever given. */
+void ids_reserve(clast_world *w, uint32_t ids) {
+    size_t old = w->slot_of_id_capacity, now = 2 * old + 64;
+    if (ids <= old) return;
+    if (now < ids) now = ids;
+    w->slot_of_id = memory_grow(w, w->slot_of_id, old, now, sizeof *w->slot_of_id);
+    w->slot_of_id_capacity = now;
+}
+
 static uint32_t new_id(clast_world *w) {
-    if (w->next_id >= w->slot_of_id_capacity) {
-        size_t capacity = 2 * w->slot_of_id_capacity + 64;
-        w->slot_of_id =
-            memory_grow(w, w->slot_of_id, w->slot_of_id_capacity, capacity, sizeof *w->slot_of_id);
-        w->slot_of_id_capacity = capacity;
-    }
+    ids_reserve(w, w->next_id + 1);
     return w->next_id++;
 }
 
@@ -117,6 +121,23 @@ static bool is_finite(vec3 a) {
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
+/* The slot of a new body, with a unit quaternion. */
+size_t body_store_new(clast_world *w, const clast_body_def *def) {
+    body_store *b = &w->bodies;
+    body_reserve(w, b->count + 1);
+    size_t i = b->count++;
+    mat3 r = q_matrix(def->orientation);
+    vec3 local = m3_apply_transposed(&r, def->spin);
+    b->id[i] = new_id(w);
+    b->shape[i] = def->shape;
+    store_pose(b, i, def->position, def->orientation);
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) b->image[k][i] = 0;
+    store_motion(b, i, def->velocity, m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)));
+    w->slot_of_id[b->id[i]] = (int32_t)i;
+    return i;
+}
+
 int clast_body_add(clast_world *w, const clast_body_def *def) {
     CLAST_ASSERT(w && def && def->shape >= 0 && def->shape < w->shape_count && !w->prepared);
     quat q = def->orientation;
@@ -130,18 +151,7 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
         return world_fail(w, CLAST_ERR_ARGUMENT,
                           "body %u: position, velocity or spin is not finite", w->next_id),
                -1;
-    body_store *b = &w->bodies;
-    body_reserve(w, b->count + 1);
-    size_t i = b->count++;
-    q = q_unit(q);
-    mat3 r = q_matrix(q);
-    vec3 local = m3_apply_transposed(&r, def->spin);
-    b->id[i] = new_id(w);
-    b->shape[i] = def->shape;
-    store_pose(b, i, def->position, q);
-    for (int k = 0; k < 3; k++)
-        if (b->image[k]) b->image[k][i] = 0;
-    store_motion(b, i, def->velocity, m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)));
-    w->slot_of_id[b->id[i]] = (int32_t)i;
-    return (int)b->id[i];
+    clast_body_def unit = *def;
+    unit.orientation = q_unit(q);
+    return (int)w->bodies.id[body_store_new(w, &unit)];
 }

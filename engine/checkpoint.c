@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/hdf5_io.h"
+#include "engine/flow_saved.h"
 #include "engine/world.h"
 
 enum { FORMAT_VERSION = 4 };
@@ -34,6 +34,7 @@ typedef struct saved {
     ledger ledger;
     double *part_work; /* J, of each part */
     size_t part_count;
+    saved_flow flow;
     char *scene, *wall_names;
 } saved;
 
@@ -56,7 +57,7 @@ static void text_close(FILE *t) {
 
 static void describe_world(FILE *t, const clast_world *w) {
     const clast_world_def *d = &w->def;
-    fprintf(t, "bodies added %u\n", w->next_id);
+    fprintf(t, "bodies added %u\n", w->scene_ids);
     fprintf(t, "gravity %.17g %.17g %.17g\n", d->gravity.x, d->gravity.y, d->gravity.z);
     fprintf(t, "law %d, tangent %d, friction limit %d, unloading %d\n", (int)d->law,
             (int)d->tangent, (int)d->limit, (int)d->unloading);
@@ -174,6 +175,7 @@ static char *describe_scene(const clast_world *w) {
     describe_materials(t, w);
     for (int i = 0; i < w->shape_count; i++) describe_shape(t, w, i);
     describe_walls(t, w);
+    flow_describe(t, w);
     text_close(t);
     return all;
 }
@@ -319,6 +321,7 @@ clast_status clast_checkpoint_save(clast_world *w, const char *path, const char 
     save_bodies(f, w);
     save_contacts(f, w);
     save_parts(f, w);
+    flow_save(f, w);
     h5_write_column(f, "/ledger", H5_F64, LEDGER_NUMBERS, numbers);
     clast_status status = h5_publish(f);
     if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
@@ -414,6 +417,7 @@ static void read_saved(h5_file *f, const char *path, saved *s, bool to_inherit) 
     size_t numbers;
     s->part_work = h5_read_all(f, "/parts/work", H5_F64, &numbers);
     s->part_count = numbers;
+    flow_read(f, &s->flow);
     double values[LEDGER_NUMBERS];
     h5_read(f, "/ledger", H5_F64, LEDGER_NUMBERS, values);
     memcpy(&s->ledger, values, sizeof values);
@@ -429,6 +433,7 @@ static void saved_free(saved *s) {
     for (int i = 0; i < 6; i++) free(s->now[i]);
     free(s->records);
     free(s->part_work);
+    flow_read_free(&s->flow);
     free(s->scene);
     free(s->wall_names);
 }
@@ -528,7 +533,8 @@ static void install_bodies(clast_world *w, saved *s) {
     for (int k = 0; k < 3; k++)
         if (w->def.periodic[k]) install_image(w, s, k);
     b->count = n, b->capacity = n + 1;
-    CLAST_ASSERT(s->next_id == w->next_id && w->next_id <= w->slot_of_id_capacity);
+    ids_reserve(w, s->next_id);
+    w->next_id = s->next_id;
     for (uint32_t id = 0; id < w->next_id; id++) w->slot_of_id[id] = -1;
     for (size_t i = 0; i < n; i++) w->slot_of_id[b->id[i]] = (int32_t)i;
 }
@@ -558,6 +564,7 @@ static void install(clast_world *w, saved *s) {
     for (int i = 0; i < w->part_count; i++) w->parts[i].work_total = s->part_work[i];
     install_scheme(w, s);
     install_bodies(w, s);
+    flow_install(w, &s->flow);
     install_records(w, s);
     walls_move(w);
     carry_records(w);
@@ -571,6 +578,7 @@ static clast_status check_and_install(clast_world *w, const char *path, saved *s
     if (status != CLAST_OK) return status;
     const char *fault = fault_of_indices(w, s, NULL, w->shape_count, (uint32_t)w->wall_count);
     if (!fault && s->part_count != (size_t)w->part_count) fault = "parts are missing";
+    if (!fault) fault = flow_fault(w, &s->flow, s->next_id);
     if (fault) return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
     install(w, s);
     uint64_t hash = clast_world_hash(w);

@@ -380,6 +380,81 @@ typedef struct clast_body_def {
 /* Returns the body's id: 0, 1, 2, ... in the order of adding, stable for the whole run. */
 int clast_body_add(clast_world *w, const clast_body_def *def);
 
+/* ---- feeds and outlets: bodies that come and go while the world runs --------------------------
+ */
+
+typedef enum clast_full {
+    CLAST_FULL_WAIT, /* what is owed is kept and comes as soon as there is room */
+    CLAST_FULL_STOP  /* no room for a body that is due is a failure of the run */
+} clast_full;
+
+/* Body k is due when rate times time reaches what was fed before: at no time has more been fed than
+ * rate times time and one body. It gets a place where its bounding sphere touches no other and no
+ * wall. Everything is a function of the seed and the state, so a restart goes on alike. In worlds
+ * of the leapfrog alone. */
+typedef struct clast_feed_def {
+    const char *name;
+    clast_vec3 region_min, region_max; /* m, of the centres; equal in a direction: one layer */
+    int shapes;                        /* number of kinds */
+    const int *shape;                  /* kinds, drawn at random for each body */
+    const double *share;               /* of the number of bodies, > 0, any sum; NULL: alike */
+    double mass_rate;                  /* kg/s; or ... */
+    double number_rate;                /* ... 1/s: one of the two is above zero */
+    double from, until;                /* s; until 0 reads as never ending */
+    clast_vec3 velocity, spin;         /* m/s, rad/s, on arrival */
+    bool turned;                       /* at random, in a plane of motion about its normal ... */
+    clast_quat orientation;            /* ... or all like this; {0}: not turned */
+    int attempts; /* places tried for a body; then it waits for a hundred steps. 0 reads as 100 */
+    clast_full full;
+} clast_feed_def;
+
+int clast_feed_add(clast_world *w, const clast_feed_def *def);
+
+typedef enum clast_outlet_kind { CLAST_OUTLET_PLANE, CLAST_OUTLET_BOX } clast_outlet_kind;
+
+/* A body whose centre is in an outlet at the end of a step leaves the world. */
+typedef struct clast_outlet_def {
+    const char *name;
+    clast_outlet_kind kind;
+    clast_vec3 point, normal; /* m, plane: what is beyond it, on the side of the normal, leaves */
+    clast_vec3 min, max;      /* m, box */
+} clast_outlet_def;
+
+int clast_outlet_add(clast_world *w, const clast_outlet_def *def);
+
+#define CLAST_OUTLET_DOMAIN (-1) /* left the domain, where that removes bodies */
+
+/* One body that came or went. */
+typedef struct clast_passage {
+    uint32_t id;
+    int32_t shape;
+    int32_t gate;                  /* index of the feed, or of the outlet */
+    uint64_t step;                 /* that it came or went in */
+    double time;                   /* s, at the end of that step */
+    double mass;                   /* kg */
+    clast_vec3 position, velocity; /* m, m/s (of a body that went: in the middle of that step) */
+} clast_passage;
+
+/* Copies the oldest `room` records that have not been read and forgets them; returns how many. With
+ * no room: how many there are. What is not read stays in memory and goes into checkpoints. */
+size_t clast_world_arrivals(clast_world *w, clast_passage *to, size_t room);
+size_t clast_world_departures(clast_world *w, clast_passage *to, size_t room);
+
+/* So far. */
+typedef struct clast_flow {
+    uint64_t bodies;
+    double mass;      /* kg */
+    double owed;      /* kg, or bodies of a number rate, due and not fed; feeds */
+    uint64_t refused; /* times that no place was found; feeds */
+} clast_flow;
+
+clast_flow clast_world_feed_flow(const clast_world *w, int feed);
+clast_flow clast_world_outlet_flow(const clast_world *w, int outlet); /* or CLAST_OUTLET_DOMAIN */
+int clast_world_feed_count(const clast_world *w);
+int clast_world_outlet_count(const clast_world *w);
+clast_feed_def clast_world_feed(const clast_world *w, int feed);
+clast_outlet_def clast_world_outlet(const clast_world *w, int outlet); /* normalised */
+
 /* ---- running -------------------------------------------------------------------------------- */
 
 /* Checks the whole scene, picks kernel, time step and skin. Called by the first step if not before.
@@ -459,8 +534,10 @@ typedef struct clast_energy {
     double global;              /* J, dissipated so far by global damping */
     double wall_work;           /* J, done so far by moving walls on the bodies */
     double removed;             /* J, carried off by bodies that left */
-    double input;               /* J, put in: motion and elastic energy at the start, height lost
-                                   since, and all that walls did, back and forth */
+    double fed;                 /* J, brought in by bodies that came */
+    double input;               /* J, put in: motion and elastic energy at the start and of what
+                                   came, height lost since, and all that walls did, back and
+                                   forth */
     double residual;            /* J, what the sum misses: error of integrating normal contacts.
                                    Energy made elsewhere shows as friction or damping below zero */
 } clast_energy;
@@ -530,7 +607,8 @@ typedef struct clast_counters {
     double seconds_walls, seconds_neighbours, seconds_contacts, seconds_bodies, seconds_measure;
     size_t bytes;                            /* held by the engine now */
     double overlap_max;                      /* of the smaller radius, largest so far */
-    size_t removed;                          /* bodies that left the domain */
+    size_t removed;                          /* bodies that left, by outlets too */
+    size_t fed;                              /* bodies that came */
     uint64_t force_evaluations;              /* that the scheme asked for */
     uint64_t newton_iterations, newton_most; /* in all, in one step */
     uint64_t linear_iterations;              /* in all */
@@ -615,6 +693,9 @@ double clast_random(uint64_t seed, uint64_t stream, uint64_t counter);
 
 /* sin and cos without libm, the same bits on every machine; |angle| <= 1e5 rad. */
 void clast_sincos(double angle, double *sine, double *cosine);
+
+/* A rotation drawn from all, for three numbers uniform in [0, 1). */
+clast_quat clast_quat_uniform(double u, double v, double w);
 
 /* Rotation by `angle` about unit `axis`. */
 clast_quat clast_quat_axis_angle(clast_vec3 axis, double angle);

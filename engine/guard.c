@@ -1,6 +1,7 @@
 /* guard.c - a run that fails says what, who, where and when, and stops. */
 #include <stdio.h>
 
+#include "engine/flow.h"
 #include "engine/geometry.h"
 
 enum { NAMED = 10, ENERGY_EVERY = 1000 };
@@ -160,7 +161,7 @@ clast_status guards_outside(clast_world *w) {
     if (w->def.outside != CLAST_OUTSIDE_STOP) return CLAST_OK;
     for (uint32_t id = 0; id < w->next_id; id++) {
         int32_t slot = w->slot_of_id[id];
-        if (slot < 0 || !body_is_outside(w, (size_t)slot)) continue;
+        if (slot < 0 || outlet_of(w, (size_t)slot) != CLAST_OUTLET_DOMAIN) continue;
         char who[256], what[320];
         describe_body(w, (size_t)slot, who, sizeof who);
         snprintf(what, sizeof what, "outside the domain: %s", who);
@@ -168,16 +169,6 @@ clast_status guards_outside(clast_world *w) {
         if (s) return s;
     }
     return CLAST_OK;
-}
-
-/* Histories must be carried. */
-void bodies_leave(clast_world *w) {
-    for (uint32_t id = 0; id < w->next_id; id++) {
-        int32_t slot = w->slot_of_id[id];
-        if (slot < 0 || !body_is_outside(w, (size_t)slot)) continue;
-        ledger_remove_body(w, (size_t)slot);
-        body_remove(w, (size_t)slot);
-    }
 }
 
 /* ---- the start ------------------------------------------------------------------------------- */

@@ -3,7 +3,7 @@
  * Contacts are hashed one by one and added up, which has no order. */
 #include <string.h>
 
-#include "engine/world.h"
+#include "engine/flow.h"
 
 static uint64_t mix(uint64_t hash, uint64_t word) {
     hash = (hash ^ word) * 0x100000001b3u;
@@ -33,6 +33,17 @@ static void add_contact(const clast_world *w, const contact_place *at, void *con
     *(uint64_t *)context += mix(mix_vec(h, r.history.spring), 0);
 }
 
+static uint64_t mix_flow(uint64_t h, const flow *f) {
+    for (int i = 0; i < f->feed_count; i++) {
+        const feed_state *s = &f->feeds[i].state;
+        h = mix(mix(h, s->bodies), s->refused);
+        h = mix_double(mix(mix(h, s->places), s->rest_until), s->mass);
+    }
+    for (int i = 0; i < f->outlet_count; i++)
+        h = mix_double(mix(h, f->outlets[i].state.bodies), f->outlets[i].state.mass);
+    return h;
+}
+
 uint64_t clast_world_hash(const clast_world *w) {
     CLAST_ASSERT(w && w->prepared);
     const body_store *b = &w->bodies;
@@ -53,6 +64,7 @@ uint64_t clast_world_hash(const clast_world *w) {
     contacts_visit(w, add_contact, &contacts);
     h = mix(h, contacts);
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);
+    h = mix_flow(h, w->flow);
     double books[sizeof(ledger) / sizeof(double)];
     memcpy(books, &w->ledger, sizeof books);
     for (size_t i = 0; i < sizeof books / sizeof *books; i++) h = mix_double(h, books[i]);

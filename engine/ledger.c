@@ -11,6 +11,7 @@
  * damping below zero instead, and guard.c looks there too. Rejected: the work of every tangential
  * force by itself. Contact points travel, so it is of first order unless the old point is kept or
  * found again (a third more work per contact). */
+#include "engine/flow.h"
 #include "engine/numbers.h"
 #include "engine/part.h"
 
@@ -63,6 +64,7 @@ static double energy_scale(const clast_world *w) {
         v += part_speed_bound(p, p->reach);
         fastest2 = fmax(fastest2, v * v);
     }
+    mass += feeds_mass_expected(w, &fastest2);
     double scale = mass * (fastest2 + v3_norm(w->def.gravity) * extent) + elastic_bound(w);
     return number_power_of_two_above(scale > 1e-200 ? scale : 1e-200);
 }
@@ -81,11 +83,12 @@ clast_energy clast_world_energy(clast_world *w) {
                       .friction = -tangential_work - (stored.tangential - l->start_tangential),
                       .global = l->global + m.half_global,
                       .wall_work = l->wall_work,
-                      .removed = l->removed};
+                      .removed = l->removed,
+                      .fed = l->fed};
     double total = e.kinetic + e.rotational + e.gravity + e.elastic + e.damping + e.friction +
-                   e.global + e.removed - e.wall_work;
-    double fallen = l->start_gravity - (e.gravity + l->removed_gravity);
-    double begun = l->start_total - l->start_gravity;
+                   e.global + e.removed - e.fed - e.wall_work;
+    double fallen = l->start_gravity + l->fed_gravity - (e.gravity + l->removed_gravity);
+    double begun = l->start_total - l->start_gravity + l->fed - l->fed_gravity;
     e.input = begun + (fallen > 0 ? fallen : 0) + l->wall_input;
     e.residual = total - l->start_total;
     return e;
@@ -109,19 +112,30 @@ void ledger_start(clast_world *w) {
     l->start_total = e.kinetic + e.rotational + e.gravity + e.elastic;
 }
 
-/* A body leaves: what it carries is booked as removed, at the half step it is in. */
-void ledger_remove_body(clast_world *w, size_t slot) {
+/* J of a body that touches nothing, at the half step it is in: by height, and in all. */
+static double energy_of(const clast_world *w, size_t slot, double *by_height) {
     const body_store *b = &w->bodies;
     double mass = w->shapes[b->shape[slot]].mass;
     vec3 v = v3(b->vx[slot], b->vy[slot], b->vz[slot]),
          l = v3(b->lx[slot], b->ly[slot], b->lz[slot]);
     vec3 spin = body_spin(w, slot);
     vec3 above = v3_sub(body_position(w, slot), w->def.domain_min);
-    /* it touches nothing out there; v is that of half a step before, but for other schemes */
+    /* v is that of half a step before, but for other schemes */
     vec3 next = w->integrator ? v : v3_add(v, v3_scale(w->dt, w->def.gravity));
-    double gravity = -mass * v3_dot(above, w->def.gravity);
+    *by_height = -mass * v3_dot(above, w->def.gravity);
+    return *by_height + 0.5 * mass * v3_dot(v, next) + 0.5 * v3_dot(l, spin);
+}
+
+void ledger_remove_body(clast_world *w, size_t slot) {
+    double gravity;
+    w->ledger.removed += energy_of(w, slot, &gravity);
     w->ledger.removed_gravity += gravity;
-    w->ledger.removed += gravity + 0.5 * mass * v3_dot(v, next) + 0.5 * v3_dot(l, spin);
+}
+
+void ledger_add_body(clast_world *w, size_t slot) {
+    double gravity;
+    w->ledger.fed += energy_of(w, slot, &gravity);
+    w->ledger.fed_gravity += gravity;
 }
 
 /* Contacts whose partner has gone take what they stored along. Needs the list without them. */

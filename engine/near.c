@@ -236,6 +236,7 @@ static void tune(clast_world *w, uint64_t since_reach) {
 void lists_rebuild(clast_world *w) {
     tune(w, w->step - w->steps_reach);
     if (w->bodies.count > 0) cells_sort(w, 2 * w->largest_bound + w->skin);
+    w->cells.bodies = w->bodies.count;
     rows_layout(w);
     rows_fill(w, 0, w->bodies.count);
     carry_place(w);

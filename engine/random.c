@@ -2,7 +2,8 @@
  * by any thread and a restart needs no generator state. */
 #include <stdint.h>
 
-#include "engine/clast.h"
+#include "engine/numbers.h"
+#include "engine/vec.h"
 
 static void philox_round(uint32_t c[4], uint32_t k0, uint32_t k1) {
     uint64_t a = (uint64_t)0xD2511F53u * c[0], b = (uint64_t)0xCD9E8D57u * c[2];
@@ -22,4 +23,12 @@ double clast_random(uint64_t seed, uint64_t stream, uint64_t counter) {
     }
     uint64_t bits = ((uint64_t)c[0] << 32 | c[1]) >> 11;
     return (double)bits * 0x1p-53;
+}
+
+/* K. Shoemake, Uniform random rotations, Graphics Gems III, 1992. */
+clast_quat clast_quat_uniform(double u, double v, double w) {
+    double low = sqrt(1 - u), high = sqrt(u), sv, cv, sw, cw;
+    clast_sincos(2 * NUMBER_PI * v, &sv, &cv);
+    clast_sincos(2 * NUMBER_PI * w, &sw, &cw);
+    return (clast_quat){high * cw, low * sv, low * cv, high * sw};
 }

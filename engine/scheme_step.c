@@ -176,6 +176,7 @@ static void find_way(clast_world *w) {
         if (way > w->found.way) w->found.way = way;
         w->found.outside |= body_is_outside(w, i);
     }
+    w->found.outside |= outlets_hold_any(w);
 }
 
 /* Takes the state in the columns of the bodies as that at the end of the step; bodies that have

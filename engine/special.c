@@ -1,4 +1,5 @@
 /* special.c - what the scene does not need: picks the kernels and the quanta of the loads. */
+#include "engine/flow.h"
 #include "engine/numbers.h"
 #include "engine/part.h"
 
@@ -67,8 +68,12 @@ static bool wall_is_flat(const clast_world *w, const wall *l, double z) {
 }
 
 static bool is_flat(const clast_world *w) {
-    if (w->def.motion != CLAST_MOTION_IN_PLANE || w->bodies.count == 0) return false;
-    double z = to_kernel(w, body_position(w, 0)).z;
+    const flow *f = w->flow;
+    bool empty = w->bodies.count == 0;
+    if (w->def.motion != CLAST_MOTION_IN_PLANE || (empty && f->feed_count == 0)) return false;
+    double z = to_kernel(w, empty ? f->feeds[0].def.region_min : body_position(w, 0)).z;
+    for (int i = 0; i < f->feed_count; i++)
+        if (to_kernel(w, f->feeds[i].def.region_min).z != z) return false;
     for (size_t i = 1; i < w->bodies.count; i++)
         if (to_kernel(w, body_position(w, i)).z != z) return false;
     for (int s = 0; s < w->shape_count; s++)

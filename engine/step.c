@@ -100,7 +100,10 @@ static clast_status prepare_checked(clast_world *w) {
     s = check_plane(w);
     if (s) return s;
     choose_sizes(w);
+    w->scene_ids = w->next_id;
     s = period_check(w);
+    if (s) return s;
+    s = flow_check(w);
     if (s) return s;
     choose_threads(w);
     walls_link(w);
@@ -183,9 +186,12 @@ clast_status clast_world_step(clast_world *w) {
     double clock = world_seconds();
 
     bodies_advance(w); /* gather f(n), kick, drift: x(n+1), v(n+1/2) */
+    w->found.outside |= outlets_hold_any(w);
     w->step++;
     lap(&clock, &c->seconds_bodies);
     walls_move(w);
+    s = feeds_deliver(w); /* who is due */
+    if (s) return s;
     lap(&clock, &c->seconds_walls);
     s = refresh_neighbours(w); /* if something has moved half the skin, or left */
     lap(&clock, &c->seconds_neighbours);

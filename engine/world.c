@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/flow.h"
 #include "engine/parallel.h"
 #include "engine/part.h"
 #include "engine/world.h"
@@ -81,9 +82,10 @@ clast_world *clast_world_new(const clast_world_def *def) {
     clast_world *w = calloc(1, sizeof *w);
     CLAST_ASSERT(w);
     w->def = *def;
+    w->flow = memory_grow(w, NULL, 0, 1, sizeof *w->flow);
     bool remembers = clast_law_info_of(def->law)->yields || def->law == CLAST_LAW_USER;
     w->history_columns = remembers ? HISTORY_COLUMNS : HISTORY_PLASTIC;
-    w->counters.bytes = sizeof *w;
+    w->counters.bytes += sizeof *w;
     bool plane = w->def.motion == CLAST_MOTION_IN_PLANE;
     for (int k = 0; k < 3; k++) w->axes[k] = plane ? (w->def.plane_axis + 1 + k) % 3 : k;
     period_choose(w);
@@ -107,6 +109,7 @@ void clast_world_free(clast_world *w) {
     if (!w) return;
     free_scene(w);
     integrator_free(w);
+    flow_free(w);
     user_law_free(w);
     shares_free(w);
 #define X(type, name) free(w->bodies.name);

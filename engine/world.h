@@ -437,11 +437,15 @@ typedef struct ledger {
     double removed, removed_gravity;   /* J carried off: in all, and by height alone */
     double unwrapped;                  /* J of gravity, of the lengths that bodies have come back by
                                           across periodic faces: their falls go on */
+    double fed, fed_gravity;           /* J brought in, likewise */
     double start_total, start_gravity; /* J at step 0 */
 } ledger;
 
 /* What a scheme beside the leapfrog remembers (scheme.h). */
 typedef struct integrator integrator;
+
+/* Feeds, outlets, and what passed through them (flow.h). */
+typedef struct flow flow;
 
 /* A law that the user brought, and where it came from. */
 typedef struct user_law {
@@ -469,6 +473,7 @@ struct clast_world {
 
     body_store bodies;
     integrator *integrator; /* NULL in a world of the leapfrog */
+    flow *flow;
     row_store rows;
     size_t sphere_count;
     load_scale load_scale;
@@ -476,6 +481,7 @@ struct clast_world {
     int threads;
     record_list records;
     carry_store carry;
+    uint32_t scene_ids;            /* bodies that the scene began with */
     uint32_t next_id, name_stride; /* of a name: id times this plus the place in the shape */
     int32_t *slot_of_id;           /* -1 = gone */
     size_t slot_of_id_capacity;
@@ -514,6 +520,7 @@ struct clast_world {
         cell_grid grid;
         uint32_t *cell_first;
         size_t cell_capacity;
+        size_t bodies; /* that were sorted: the first so many slots */
     } cells;
 
     clast_counters counters;
@@ -563,10 +570,19 @@ int world_fail(clast_world *w, clast_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void world_complain(clast_world *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* feed.c, outlet.c */
+void flow_free(clast_world *w);
+clast_status flow_check(clast_world *w);
+clast_status feeds_deliver(clast_world *w);
+bool outlets_hold_any(const clast_world *w);
+void bodies_leave(clast_world *w);
+
 /* body.c */
+size_t body_store_new(clast_world *w, const clast_body_def *def);
 void body_reserve(clast_world *w, size_t count);
 void body_permute(clast_world *w, const uint32_t *order);
 void body_remove(clast_world *w, size_t slot);
+void ids_reserve(clast_world *w, uint32_t ids);
 vec3 body_position(const clast_world *w, size_t slot);
 quat body_orientation(const clast_world *w, size_t slot);
 bool body_is_outside(const clast_world *w, size_t slot);
@@ -760,6 +776,7 @@ motion_books motion_balance(const clast_world *w);
 /* ledger.c, guard.c, timestep.c, landing.c */
 void ledger_set_scale(clast_world *w);
 void ledger_start(clast_world *w);
+void ledger_add_body(clast_world *w, size_t slot);
 void ledger_remove_body(clast_world *w, size_t slot);
 void ledger_remove_contacts(clast_world *w, stored_energy before);
 clast_status guards_check(clast_world *w);
@@ -767,7 +784,6 @@ clast_status guards_check_start(clast_world *w);
 clast_status guards_check_energy(clast_world *w);
 clast_status guards_outside(clast_world *w);
 clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move);
-void bodies_leave(clast_world *w);
 clast_status timestep_choose(clast_world *w);
 /* landing.c. kg: mass over stiffness in the stiffest landing of a shape, on one sphere or flat
  * along a principal axis, in units of the stiffness of one contact. That of a sphere is its mass.

@@ -59,14 +59,6 @@ clast_quat scene_turn(const rotation *turn, const tree_node *node) {
     return clast_quat_axis_angle((clast_vec3){a.x / norm, a.y / norm, a.z / norm}, turn->angle);
 }
 
-/* K. Shoemake, Uniform random rotations, Graphics Gems III, 1992. */
-static clast_quat random_rotation(double u, double v, double w) {
-    double low = sqrt(1 - u), high = sqrt(u), sv, cv, sw, cw;
-    clast_sincos(TURN * v, &sv, &cv);
-    clast_sincos(TURN * w, &sw, &cw);
-    return (clast_quat){high * cw, low * sv, low * cv, high * sw};
-}
-
 static clast_quat orientation(const crowd *c, const generator *g, const tree_node *node, int source,
                               int index) {
     if (g->orientation == ORIENT_FIXED) return scene_turn(&g->turn, tree_get(node, "turn"));
@@ -76,8 +68,8 @@ static clast_quat orientation(const crowd *c, const generator *g, const tree_nod
         clast_vec3 normal = {c->plane_axis == 0, c->plane_axis == 1, c->plane_axis == 2};
         return clast_quat_axis_angle(normal, TURN * u);
     }
-    return random_rotation(u, crowd_draw(c, source, DRAW_TURN, at + 1),
-                           crowd_draw(c, source, DRAW_TURN, at + 2));
+    return clast_quat_uniform(u, crowd_draw(c, source, DRAW_TURN, at + 1),
+                              crowd_draw(c, source, DRAW_TURN, at + 2));
 }
 
 static void add(crowd *c, const generator *g, const tree_node *node, int source, int index,
