@@ -153,5 +153,6 @@ int clast_body_add(clast_world *w, const clast_body_def *def) {
                -1;
     clast_body_def unit = *def;
     unit.orientation = q_unit(q);
-    return (int)w->bodies.id[body_store_new(w, &unit)];
+    size_t slot = body_store_new(w, &unit); /* may move the columns */
+    return (int)w->bodies.id[slot];
 }

@@ -2,6 +2,7 @@
  *
  *     /body/id, shape, position[n,3], orientation[n,4] (w x y z), velocity[n,3], spin[n,3]
  *     /body/image[n,3]                                                  where an axis is periodic
+ *     /part/turn[p,4] (w x y z), shift[p,3], present                    clast_pose of every part
  *     /sphere/centre[m,3], radius, speed (single precision), body (id)
  *     /contact/a, b, point[k,3], force[k,3], normal_force, overlap      when asked for
  *
@@ -9,6 +10,7 @@
  * shape: so two frames of one run can be compared row by row. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "engine/hdf5_io.h"
 #include "engine/world.h"
@@ -62,6 +64,24 @@ static void write_bodies(h5_file *f, const clast_bodies *b, const size_t *order)
     write_images(f, b, order);
     free(id);
     free(shape_of);
+}
+
+static void write_parts(h5_file *f, const clast_world *w) {
+    size_t n = (size_t)w->part_count;
+    double *turn = rows(4 * n, sizeof *turn), *shift = rows(3 * n, sizeof *shift);
+    int32_t *present = rows(n, sizeof *present);
+    for (size_t i = 0; i < n; i++) {
+        clast_pose p = clast_world_part_pose(w, (int)i);
+        const double numbers[7] = {p.turn.w,  p.turn.x,  p.turn.y, p.turn.z,
+                                   p.shift.x, p.shift.y, p.shift.z};
+        memcpy(turn + 4 * i, numbers, 4 * sizeof *turn);
+        memcpy(shift + 3 * i, numbers + 4, 3 * sizeof *shift);
+        present[i] = w->parts[i].present;
+    }
+    h5_write(f, "/part/turn", H5_F64, 2, (size_t[]){n, 4}, turn);
+    h5_write(f, "/part/shift", H5_F64, 2, (size_t[]){n, 3}, shift);
+    h5_write_column(f, "/part/present", H5_I32, n, present);
+    free(turn), free(shift), free(present);
 }
 
 /* Speed of the material at the centre of a sphere: v + omega x arm. */
@@ -133,6 +153,7 @@ clast_status clast_frame_write(clast_world *w, const char *path, bool with_conta
     h5_attribute_u64(f, "/", "step", clast_world_steps(w));
     write_bodies(f, &b, order);
     write_spheres(f, w, &b, order);
+    write_parts(f, w);
     if (with_contacts) write_contacts(f, w);
     clast_status status = h5_publish(f);
     if (status != CLAST_OK) world_fail(w, status, "frame %s", h5_error(f));

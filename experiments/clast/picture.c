@@ -233,7 +233,7 @@ static bool draw(painter *p, const frame *f, render_encoder *encoder) {
     double fastest = colour_bodies(p, f);
     place_spheres(p, f);
     p->walls.count = 0;
-    if (p->stage->view.walls) wall_surfaces_at(&p->walls, p->stage, f->time, p->low, p->high);
+    if (p->stage->view.walls) wall_surfaces_at(&p->walls, p->stage, f, p->low, p->high);
     render_scene scene_now = {.spheres = {.count = f->spheres,
                                           .x = p->x,
                                           .y = p->y,

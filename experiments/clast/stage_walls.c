@@ -25,6 +25,24 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* Where a wall has gone by then; false when its part has been removed. */
+static bool pose_of(const stage_wall *w, const frame *f, clast_pose *pose) {
+    *pose = (clast_pose){.turn = {1, 0, 0, 0}};
+    if (w->part_index < 0 || (size_t)w->part_index >= f->parts)
+        return stage_wall_offset(w, f->time, &pose->shift);
+    const double *q = f->turn + 4 * w->part_index, *x = f->shift + 3 * w->part_index;
+    *pose = (clast_pose){{q[0], q[1], q[2], q[3]}, {x[0], x[1], x[2]}};
+    return f->present[w->part_index] != 0;
+}
+
+static stage_wall moved(const stage_wall *w, clast_pose pose) {
+    stage_wall out = *w;
+    clast_pose turn = {.turn = pose.turn};
+    out.point = clast_pose_apply(pose, w->point);
+    out.normal = clast_pose_apply(turn, w->normal), out.side = clast_pose_apply(turn, w->side);
+    return out;
+}
+
 static polygon plate_polygon(const stage_wall *w, const double centre[3]) {
     polygon p = {.count = 4};
     double n[3], u[3], v[3];
@@ -132,9 +150,11 @@ static render_rgb tint_of(int part) {
     return TINTS[(size_t)part % (sizeof TINTS / sizeof *TINTS)];
 }
 
-static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clast_vec3 offset) {
-    const double by[3] = {offset.x, offset.y, offset.z};
-    for (size_t i = 0; i < 3 * m->vertex_count; i++) vertex[i] = m->vertex[i] + by[i % 3];
+static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clast_pose pose) {
+    for (size_t i = 0; i < m->vertex_count; i++) {
+        const double *x = m->vertex + 3 * i;
+        to_array(clast_pose_apply(pose, (clast_vec3){x[0], x[1], x[2]}), vertex + 3 * i);
+    }
     w->walls[w->count++] = (render_walls){.vertex_count = m->vertex_count,
                                           .vertex = vertex,
                                           .face_count = m->triangle_count,
@@ -146,32 +166,34 @@ static void add_mesh(wall_surfaces *w, const stage_mesh *m, double *vertex, clas
                                           .edge_colour = {55, 62, 72}};
 }
 
-static void add_meshes(wall_surfaces *w, const stage *s, double time) {
+static void add_meshes(wall_surfaces *w, const stage *s, const frame *f) {
     double *vertex = w->mesh_vertices;
     for (size_t i = 0; i < s->mesh_count; i++) {
         const stage_mesh *m = &s->meshes[i];
-        clast_vec3 offset;
-        if (stage_wall_offset(&s->walls[m->wall], time, &offset)) add_mesh(w, m, vertex, offset);
+        clast_pose pose;
+        if (pose_of(&s->walls[m->wall], f, &pose)) add_mesh(w, m, vertex, pose);
         vertex += 3 * m->vertex_count;
     }
 }
 
-void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
+void wall_surfaces_at(wall_surfaces *w, const stage *s, const frame *f, const double low[3],
                       const double high[3]) {
-    CLAST_ASSERT(w && s);
+    CLAST_ASSERT(w && s && f);
     if (!w->walls) make_room(w, s);
     w->count = 0;
     for (size_t i = 0; i < s->wall_count; i++) {
-        const stage_wall *l = &s->walls[i];
-        clast_vec3 offset;
-        if (l->kind == CLAST_WALL_PATCH || !s->view.planes || !stage_wall_offset(l, time, &offset))
+        clast_pose pose;
+        if (s->walls[i].kind == CLAST_WALL_PATCH || !s->view.planes ||
+            !pose_of(&s->walls[i], f, &pose))
             continue;
-        double at[3] = {l->point.x + offset.x, l->point.y + offset.y, l->point.z + offset.z};
+        stage_wall l = moved(&s->walls[i], pose);
+        double at[3];
+        to_array(l.point, at);
         polygon p =
-            l->kind == CLAST_WALL_PLATE ? plate_polygon(l, at) : plane_polygon(l, at, low, high);
+            l.kind == CLAST_WALL_PLATE ? plate_polygon(&l, at) : plane_polygon(&l, at, low, high);
         if (p.count >= 3) add_surface(w, &p);
     }
-    add_meshes(w, s, time);
+    add_meshes(w, s, f);
 }
 
 void wall_surfaces_free(wall_surfaces *w) {

@@ -2,7 +2,7 @@
 #ifndef CLAST_COMMAND_STAGE_WALLS_H
 #define CLAST_COMMAND_STAGE_WALLS_H
 
-#include "experiments/run/stage.h"
+#include "experiments/run/results.h"
 #include "render/render.h"
 
 enum { WALL_VERTICES = 6, WALL_FACES = 4 };
@@ -15,9 +15,9 @@ typedef struct wall_surfaces {
     double *mesh_vertices; /* of all meshes, moved */
 } wall_surfaces;
 
-/* The walls that are there at `time`, where they are then. Infinite planes are cut out by the box,
+/* The walls that are there in a frame, where they are then. Infinite planes are cut out by the box,
  * which must not be empty. Meshes hide what is behind them, planes and plates do not. */
-void wall_surfaces_at(wall_surfaces *w, const stage *s, double time, const double low[3],
+void wall_surfaces_at(wall_surfaces *w, const stage *s, const frame *f, const double low[3],
                       const double high[3]);
 void wall_surfaces_free(wall_surfaces *w);
 

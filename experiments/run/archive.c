@@ -66,8 +66,38 @@ static void write_table(h5_file *f, const char *folder, const char *file, const 
     free(path);
 }
 
+/* Bodies that came or went, column by column; names in rows of equal length. */
+static void write_transits(h5_file *f, const char *folder, const char *file, const char *group) {
+    char error[RESULTS_ERROR_MAX];
+    char *path = path_in(folder, file);
+    transits *t = path_exists(path) ? transits_read(path, error) : NULL;
+    const struct {
+        const char *name;
+        h5_type type;
+        const void *column;
+    } columns[] = {{"id", H5_U32, t ? t->id : NULL},
+                   {"time_s", H5_F64, t ? t->time : NULL},
+                   {"step", H5_U64, t ? t->step : NULL},
+                   {"mass_kg", H5_F64, t ? t->mass : NULL},
+                   {"diameter_m", H5_F64, t ? t->diameter : NULL}};
+    for (size_t k = 0; t && k < sizeof columns / sizeof *columns; k++) {
+        char *name = text_format("%s/%s", group, columns[k].name);
+        h5_write_column(f, name, columns[k].type, t->count, columns[k].column);
+        free(name);
+    }
+    for (int k = 0; t && k < 2; k++) {
+        char *name = text_format("%s/%s", group, k ? "shape" : "gate");
+        h5_write(f, name, H5_U8, 2, (size_t[]){t->count, TRANSIT_NAME_MAX}, k ? t->shape : t->gate);
+        free(name);
+    }
+    transits_free(t);
+    free(path);
+}
+
 static void write_tables(h5_file *f, const char *folder, const scene *s) {
     write_table(f, folder, FILE_SERIES, "/series");
+    write_transits(f, folder, FILE_FEEDS, "/feeds");
+    write_transits(f, folder, FILE_OUTLETS, "/outlets");
     for (int i = 0; i < s->measure_count; i++) {
         char *file = text_format("%s.samples.csv", s->measures[i].name);
         char *group = text_format("/samples/%s", s->measures[i].name);

@@ -137,8 +137,8 @@ void folder_drop_parts(const char *path, bool drop(const char *part, void *conte
 }
 
 int folder_clear_run(const char *path) {
-    static const char *const OURS[] = {FILE_RUN,        FILE_XDMF,   FILE_SERIES,
-                                       FILE_CHECKPOINT, FILE_FAILED, FILE_SCENE};
+    static const char *const OURS[] = {FILE_RUN,   FILE_XDMF,    FILE_SERIES,     FILE_FEEDS,
+                                       FILE_SCENE, FILE_OUTLETS, FILE_CHECKPOINT, FILE_FAILED};
     int failure = 0;
     folder_drop_parts(path, always, NULL);
     char *frames = path_in(path, FOLDER_FRAMES);

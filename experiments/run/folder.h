@@ -9,6 +9,8 @@
 #define FILE_RUN        "run.h5"
 #define FILE_XDMF       "run.xdmf"
 #define FILE_SERIES     "series.csv"
+#define FILE_FEEDS      "feeds.csv"
+#define FILE_OUTLETS    "outlets.csv"
 #define FILE_CHECKPOINT "checkpoint.h5"
 #define FILE_FAILED     "failed.h5"
 #define FILE_SCENE      "scene.yaml"

@@ -67,6 +67,21 @@ static void print_every(const char *what, double every) {
     if (every > 0) printf(", %s every %.6g s", what, every);
 }
 
+/* What comes; how much will be there at once is for the run to find out. */
+static void report_feeds(const clast_world *w) {
+    for (int i = 0; i < clast_world_feed_count(w); i++) {
+        clast_feed_def d = clast_world_feed(w, i);
+        printf("feed    %s: ", d.name);
+        if (d.mass_rate > 0)
+            printf("%.6g kg/h", 3600 * d.mass_rate);
+        else
+            printf("%.6g bodies/s", d.number_rate);
+        printf(" from %.6g s", d.from);
+        if (d.until > 0) printf(" until %.6g s", d.until);
+        putchar('\n');
+    }
+}
+
 void report_plan(const scene *s, const run_options *o) {
     clast_plan p = clast_world_plan(s->world);
     clast_counters c = clast_world_counters(s->world);
@@ -78,6 +93,7 @@ void report_plan(const scene *s, const run_options *o) {
            p.time_step, p.resolution, p.impact_speed, p.rayleigh_step, p.critical_step);
     printf("kernel  %s; %s, %d thread%s\n", p.kernel ? p.kernel : "general", p.isa ? p.isa : "?",
            p.threads, p.threads == 1 ? "" : "s");
+    report_feeds(s->world);
     printf("until   %.6g s", s->ending.latest);
     if (s->ending.rest_for > 0)
         printf(" or nothing faster than %.3g m/s for %.3g s", s->ending.rest_speed,

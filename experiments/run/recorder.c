@@ -5,10 +5,12 @@
 
 #include "engine/check.h"
 #include "experiments/run/folder.h"
+#include "experiments/run/passage.h"
 
 void recorder_start(recorder *r, const scene *s) {
     CLAST_ASSERT(r && s);
-    *r = (recorder){.scene = s, .series = {.descriptor = -1}};
+    const table closed = {.descriptor = -1};
+    *r = (recorder){.scene = s, .series = closed, .feeds = closed, .outlets = closed};
     r->memories = calloc((size_t)s->measure_count + 1, sizeof *r->memories);
     CLAST_ASSERT(r->memories);
     moment_take(&r->now, s->world, false);
@@ -20,6 +22,10 @@ void recorder_start(recorder *r, const scene *s) {
     }
 }
 
+static bool has_flow(const scene *s) {
+    return passage_has_feeds(s) || passage_has_outlets(s);
+}
+
 static char *series_header(const scene *s) {
     char *text;
     size_t length;
@@ -28,6 +34,7 @@ static char *series_header(const scene *s) {
     fputs("time_s,step,kinetic_J,rotational_J,gravity_J,elastic_J,damping_J,friction_J,global_J,"
           "wall_work_J,removed_J,input_J,residual_J,bodies,overlap_max,contacts",
           to);
+    if (has_flow(s)) fputs(",fed_kg,out_kg,inside_kg", to);
     for (int i = 0; i < s->measure_count; i++)
         measure_class_of(s->measures[i].kind)->header(&s->measures[i], to);
     CLAST_ASSERT(fclose(to) == 0);
@@ -35,7 +42,7 @@ static char *series_header(const scene *s) {
 }
 
 typedef struct keeping {
-    bool (*keep)(uint64_t step, const void *context); /* NULL: a new file */
+    keep_row_fn *keep, *keep_passage; /* NULL: a new file */
     const void *context;
 } keeping;
 
@@ -50,11 +57,23 @@ static int open_table(table *t, const char *folder, const char *file, const char
     return t->failure;
 }
 
+static int open_passages(recorder *r, const char *folder, const keeping *k) {
+    keeping passages = {k ? k->keep_passage : NULL, NULL, k ? k->context : NULL};
+    const keeping *p = k ? &passages : NULL;
+    int failure = 0;
+    if (passage_has_feeds(r->scene))
+        failure = open_table(&r->feeds, folder, FILE_FEEDS, FEEDS_HEADER, p);
+    if (passage_has_outlets(r->scene) && !failure)
+        failure = open_table(&r->outlets, folder, FILE_OUTLETS, OUTLETS_HEADER, p);
+    return failure;
+}
+
 static int open_tables(recorder *r, const char *folder, const keeping *k) {
     const scene *s = r->scene;
     char *header = series_header(s);
     int failure = open_table(&r->series, folder, FILE_SERIES, header, k);
     free(header);
+    if (!failure) failure = open_passages(r, folder, k);
     for (int i = 0; i < s->measure_count && !failure; i++) {
         const measure_class *c = measure_class_of(s->measures[i].kind);
         if (!c->writes_samples) continue;
@@ -70,9 +89,9 @@ int recorder_create(recorder *r, const char *folder) {
     return open_tables(r, folder, NULL);
 }
 
-int recorder_continue(recorder *r, const char *folder,
-                      bool keep(uint64_t step, const void *context), const void *context) {
-    return open_tables(r, folder, &(keeping){keep, context});
+int recorder_continue(recorder *r, const char *folder, keep_row_fn *keep, keep_row_fn *keep_passage,
+                      const void *context) {
+    return open_tables(r, folder, &(keeping){keep, keep_passage, context});
 }
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -82,6 +101,21 @@ static void write_energy(table *t, clast_world *w) {
     const double terms[] = {e.kinetic, e.rotational, e.gravity, e.elastic, e.damping, e.friction,
                             e.global,  e.wall_work,  e.removed, e.input,   e.residual};
     for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) table_number(t, terms[i]);
+}
+
+/* kg that came, that left by whichever way, and that is there. */
+static void write_flow(table *t, const moment *now) {
+    double fed = 0, out = 0, inside = 0;
+    for (int i = 0; i < clast_world_feed_count(now->world); i++)
+        fed += clast_world_feed_flow(now->world, i).mass;
+    for (int i = CLAST_OUTLET_DOMAIN; i < clast_world_outlet_count(now->world); i++)
+        out += clast_world_outlet_flow(now->world, i).mass;
+    for (size_t i = 0; i < now->bodies.count; i++) inside += now->bodies.mass[now->order[i]];
+    table_number(t, fed), table_number(t, out), table_number(t, inside);
+}
+
+int recorder_passages(recorder *r) {
+    return passage_write(r->scene, &r->feeds, &r->outlets);
 }
 
 int recorder_row(recorder *r) {
@@ -94,6 +128,7 @@ int recorder_row(recorder *r) {
     table_number(&r->series, (double)c.bodies);
     table_number(&r->series, c.overlap_max);
     table_number(&r->series, (double)c.contacts);
+    if (has_flow(s)) write_flow(&r->series, &r->now);
     int failure = 0;
     for (int i = 0; i < s->measure_count; i++) {
         const measure_class *k = measure_class_of(s->measures[i].kind);
@@ -107,8 +142,12 @@ int recorder_row(recorder *r) {
 }
 
 int recorder_sync(recorder *r) {
-    table_sync(&r->series);
-    int failure = r->series.failure;
+    table *all[] = {&r->series, &r->feeds, &r->outlets};
+    int failure = 0;
+    for (int i = 0; i < 3; i++) {
+        if (all[i]->descriptor >= 0) table_sync(all[i]);
+        if (!failure) failure = all[i]->failure;
+    }
     for (int i = 0; i < r->scene->measure_count; i++) {
         if (!r->memories[i].sampling) continue;
         table_sync(&r->memories[i].samples);
@@ -120,9 +159,10 @@ int recorder_sync(recorder *r) {
 void recorder_stop(recorder *r) {
     for (int i = 0; r->scene && i < r->scene->measure_count; i++) measure_stop(&r->memories[i]);
     free(r->memories);
-    table_close(&r->series);
+    table_close(&r->series), table_close(&r->feeds), table_close(&r->outlets);
     moment_free(&r->now);
-    *r = (recorder){.series = {.descriptor = -1}};
+    const table closed = {.descriptor = -1};
+    *r = (recorder){.series = closed, .feeds = closed, .outlets = closed};
 }
 
 /* ---- memory: "below <measure> <one digit per body>" ------------------------------------------ */

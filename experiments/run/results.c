@@ -135,6 +135,20 @@ static void read_spheres(frame *f, h5_file *h, const char *group) {
     f->sphere_body = read_rows(h, group, "/sphere/body", H5_U32, n, 1);
 }
 
+static bool has_parts(h5_file *f, const char *group) {
+    char *path = text_format("%s/part", group);
+    bool there = h5_has(f, path);
+    free(path);
+    return there;
+}
+
+static void read_parts(frame *f, h5_file *h, const char *group) {
+    size_t n = f->parts = count_rows(h, group, "/part/present");
+    f->turn = read_rows(h, group, "/part/turn", H5_F64, n, 4);
+    f->shift = read_rows(h, group, "/part/shift", H5_F64, n, 3);
+    f->present = read_rows(h, group, "/part/present", H5_I32, n, 1);
+}
+
 static void read_contacts(frame *f, h5_file *h, const char *group) {
     size_t n = f->contacts = count_rows(h, group, "/contact/a");
     f->contact_a = read_rows(h, group, "/contact/a", H5_U32, n, 1);
@@ -157,6 +171,7 @@ frame *results_frame(results *r, size_t i) {
     f->step = p->step;
     read_bodies(f, h, inside);
     read_spheres(f, h, inside);
+    if (has_parts(h, inside)) read_parts(f, h, inside);
     if (has_contacts(h, inside)) read_contacts(f, h, inside);
     bool good = h5_status(h) == CLAST_OK;
     if (!good) snprintf(r->error, sizeof r->error, "frame %ld: %s", p->number, h5_error(h));
@@ -173,6 +188,7 @@ void frame_free(frame *f) {
     free(f->id), free(f->shape);
     free(f->position), free(f->orientation), free(f->velocity), free(f->spin);
     free(f->centre), free(f->radius), free(f->speed), free(f->sphere_body);
+    free(f->turn), free(f->shift), free(f->present);
     free(f->contact_a), free(f->contact_b), free(f->contact_point), free(f->contact_force);
     free(f->contact_normal), free(f->contact_overlap);
     free(f);

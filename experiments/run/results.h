@@ -36,6 +36,26 @@ csv *csv_read(const char *path, char error[RESULTS_ERROR_MAX]);
 const double *csv_column(const csv *t, const char *name); /* NULL when there is none */
 void csv_free(csv *t);
 
+/* ---- who came and who went: feeds.csv, outlets.csv ------------------------------------------- */
+
+enum { TRANSIT_NAME_MAX = 64 };
+typedef char transit_name[TRANSIT_NAME_MAX];
+
+/* In the order of time; gate: the feed or the outlet, "domain" for bodies that left the domain.
+ * diameter (m): of one sphere its own, else of the sphere of the same volume. */
+typedef struct transits {
+    size_t count;
+    uint32_t *id;
+    uint64_t *step;
+    double *time, *mass, *diameter; /* s, kg, m */
+    transit_name *gate, *shape;
+} transits;
+
+/* NULL with a reason when there is no such file, or a line of it is none. A last line without an
+ * end is left out. */
+transits *transits_read(const char *path, char error[RESULTS_ERROR_MAX]);
+void transits_free(transits *t);
+
 /* ---- a run ----------------------------------------------------------------------------------- */
 
 typedef struct results results;
@@ -63,10 +83,13 @@ typedef struct frame {
     uint32_t *id;
     int32_t *shape;
     double *position, *orientation, *velocity, *spin; /* 3, 4 (w x y z), 3, 3 numbers per body */
-    double *centre;                        /* m, 3 per sphere; single precision in the file */
-    double *radius, *speed;                /* m, m/s, per sphere */
-    uint32_t *sphere_body;                 /* id */
-    uint32_t *contact_a, *contact_b;       /* NULL when the run did not keep contacts */
+    double *centre;                  /* m, 3 per sphere; single precision in the file */
+    double *radius, *speed;          /* m, m/s, per sphere */
+    uint32_t *sphere_body;           /* id */
+    size_t parts;                    /* 0 in runs of earlier versions */
+    double *turn, *shift;            /* of parts (clast_pose): 4 (w x y z) and 3 (m) numbers */
+    int32_t *present;                /* whether a part is there */
+    uint32_t *contact_a, *contact_b; /* NULL when the run did not keep contacts */
     double *contact_point, *contact_force; /* 3 per contact */
     double *contact_normal, *contact_overlap;
 } frame;

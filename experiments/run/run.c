@@ -12,6 +12,7 @@
 #include "engine/hdf5_io.h"
 #include "experiments/run/archive.h"
 #include "experiments/run/folder.h"
+#include "experiments/run/passage.h"
 #include "experiments/run/progress.h"
 #include "experiments/run/recorder.h"
 #include "experiments/run/schedule.h"
@@ -114,7 +115,15 @@ static void note_read(run *r, const char *note) {
 
 /* ---- what is written ------------------------------------------------------------------------- */
 
+/* Who came and went is read from the world, so it must be in the tables before the world is saved
+ * without it. */
+static bool write_passages(run *r) {
+    int failure = recorder_passages(&r->recorder);
+    return !failure || cannot_write(r, FILE_FEEDS " or " FILE_OUTLETS, failure);
+}
+
 static bool write_checkpoint(run *r) {
+    if (!write_passages(r)) return false;
     int failure = recorder_sync(&r->recorder); /* a checkpoint must not be newer than the rows */
     if (failure) return cannot_write(r, FILE_SERIES, failure);
     char *path = path_in(r->options->out, FILE_CHECKPOINT), *note = note_text(r);
@@ -126,7 +135,8 @@ static bool write_checkpoint(run *r) {
 
 static bool write_row(run *r) {
     int failure = recorder_row(&r->recorder);
-    return !failure || cannot_write(r, FILE_SERIES, failure);
+    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    return write_passages(r);
 }
 
 static bool write_frame(run *r) {
@@ -143,6 +153,12 @@ static bool write_frame(run *r) {
 static bool keep_row(uint64_t step, const void *context) {
     const run *r = context;
     return step < r->loaded_step || (step == r->loaded_step && !r->loaded_row);
+}
+
+/* Bodies that came or went in the step of the checkpoint stand in the tables already. */
+static bool keep_passage(uint64_t step, const void *context) {
+    const run *r = context;
+    return step <= r->loaded_step;
 }
 
 static bool keep_frame_of(const run *r, uint64_t step) {
@@ -239,7 +255,7 @@ static void count_frames(run *r) {
 
 static bool begin_resumed(run *r, const char *checkpoint) {
     if (!load_checkpoint(r, checkpoint)) return false;
-    int failure = recorder_continue(&r->recorder, r->options->out, keep_row, r);
+    int failure = recorder_continue(&r->recorder, r->options->out, keep_row, keep_passage, r);
     if (failure == EINVAL)
         return ends(r, RUN_MISMATCH,
                     "%s/" FILE_SERIES ": has other columns than this scene measures",
@@ -367,6 +383,7 @@ static void wind_up(run *r) {
             r->report.end = RUN_INTERRUPTED;
         break;
     case RUN_GUARD:
+        recorder_passages(&r->recorder);
         save_failed_state(r);
         assemble(r, "failed", false);
         break;
@@ -405,6 +422,7 @@ static void run_between(run *r) {
     clast_energy e = clast_world_energy(r->world);
     r->report.residual = e.input > 0 ? fabs(e.residual) / e.input : 0;
     if (o->talk == RUN_TALK) report_costs(r->scene, r->report.seconds, r->report.steps - first);
+    if (o->talk == RUN_TALK) passage_report(r->scene);
     if (o->talk != RUN_SILENT) printf("hash: 0x%016llx\n", (unsigned long long)r->report.hash);
     fflush(stdout);
 }

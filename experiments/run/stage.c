@@ -119,21 +119,24 @@ static void write_walls(h5_file *f, const clast_world *w) {
     size_t n = (size_t)clast_world_wall_count(w);
     double *rows = calloc(n * WALL_NUMBERS + 1, sizeof *rows);
     int32_t *kind = calloc(n + 1, sizeof *kind);
+    int32_t *part = calloc(n + 1, sizeof *part);
     char *names = calloc(n + 1, STAGE_NAME_MAX);
-    CLAST_ASSERT(rows && kind && names);
+    CLAST_ASSERT(rows && kind && part && names);
     for (size_t i = 0; i < n; i++) {
         clast_wall_def d = clast_world_wall(w, (int)i);
         kind[i] = (int32_t)d.kind;
+        part[i] = clast_world_wall_part(w, (int)i);
         snprintf(names + i * STAGE_NAME_MAX, STAGE_NAME_MAX, "%s", d.name ? d.name : "");
         wall_row(w, (int)i, rows + i * WALL_NUMBERS);
     }
     h5_write_column(f, "/walls/kind", H5_I32, n, kind);
+    h5_write_column(f, "/walls/part", H5_I32, n, part);
     h5_write(f, "/walls/numbers", H5_F64, 2, (size_t[]){n, WALL_NUMBERS}, rows);
     h5_write(f, "/walls/names", H5_U8, 2, (size_t[]){n, STAGE_NAME_MAX}, names);
     h5_attribute_text(f, "/walls", "columns",
                       "point xyz, normal xyz, side xyz, half sides (2), velocity of the part xyz, "
                       "move_from, move_until, removed_at");
-    free(rows), free(kind), free(names);
+    free(rows), free(kind), free(part), free(names);
 }
 
 static void store_row(stage_wall *w, const double *r) {
@@ -151,20 +154,23 @@ static void store_row(stage_wall *w, const double *r) {
 static void read_walls(h5_file *f, stage *s) {
     size_t n = h5_count(f, "/walls/kind");
     double *rows = calloc(n * WALL_NUMBERS + 1, sizeof *rows);
-    int32_t *kind = calloc(n + 1, sizeof *kind);
+    int32_t *kind = calloc(n + 1, sizeof *kind), *part = calloc(n + 1, sizeof *part);
     char *names = calloc(n + 1, STAGE_NAME_MAX);
     s->walls = calloc(n + 1, sizeof *s->walls);
-    CLAST_ASSERT(rows && kind && names && s->walls);
+    CLAST_ASSERT(rows && kind && part && names && s->walls);
+    bool knows_parts = h5_has(f, "/walls/part");
     h5_read(f, "/walls/kind", H5_I32, n, kind);
+    if (knows_parts) h5_read(f, "/walls/part", H5_I32, n, part);
     h5_read(f, "/walls/numbers", H5_F64, n * WALL_NUMBERS, rows);
     h5_read(f, "/walls/names", H5_U8, n * STAGE_NAME_MAX, names);
     for (size_t i = 0; i < n; i++) {
         s->walls[i].kind = (clast_wall_kind)kind[i];
+        s->walls[i].part_index = knows_parts ? part[i] : -1;
         memcpy(s->walls[i].name, names + i * STAGE_NAME_MAX, STAGE_NAME_MAX - 1);
         store_row(&s->walls[i], rows + i * WALL_NUMBERS);
     }
     s->wall_count = h5_status(f) == CLAST_OK ? n : 0;
-    free(rows), free(kind), free(names);
+    free(rows), free(kind), free(part), free(names);
 }
 
 /* ---- the whole ------------------------------------------------------------------------------- */

@@ -15,7 +15,8 @@ typedef struct stage_wall {
     clast_wall_kind kind;
     clast_vec3 point, normal, side; /* at t = 0 */
     double half_side[2];
-    clast_part_def part; /* its motion; without a name */
+    int part_index;      /* in frames; -1 in runs of earlier versions */
+    clast_part_def part; /* its motion, of a part of constant velocity; without a name */
 } stage_wall;
 
 typedef struct stage {
@@ -34,7 +35,8 @@ void stage_write(h5_file *f, const scene *s);
 stage *stage_read(h5_file *f);
 void stage_free(stage *s);
 
-/* False when the wall's part has been removed by then; else how far it has moved. */
+/* For frames that do not say where parts are. False when the wall's part has been removed by then;
+ * else how far it has moved. */
 bool stage_wall_offset(const stage_wall *w, double time, clast_vec3 *offset);
 
 #endif

@@ -118,6 +118,12 @@ void table_number(table *t, double value) {
         append(t, ",%.17g", value);
 }
 
+void table_word(table *t, const char *word) {
+    CLAST_ASSERT(t && word);
+    append(t, ",");
+    for (const char *c = word; *c; c++) append(t, "%c", *c == ',' || *c == '"' ? ' ' : *c);
+}
+
 void table_end(table *t) {
     append(t, "\n");
     put(t, t->row, t->length);

@@ -26,7 +26,8 @@ void table_continue(table *t, const char *path, const char *header,
                     bool keep(uint64_t step, const void *context), const void *context);
 
 void table_begin(table *t, double time, uint64_t step);
-void table_number(table *t, double value); /* 17 digits, integers as such; not-a-number as nan */
+void table_number(table *t, double value);   /* 17 digits, integers as such; not-a-number as nan */
+void table_word(table *t, const char *word); /* a space for every comma and quotation mark */
 void table_end(table *t);
 
 /* Puts the rows on the disk, not only into the hands of the system. */

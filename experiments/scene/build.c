@@ -216,11 +216,7 @@ static void make_room_for_meshes(scene_reader *r, scene_draft *d) {
 
 static void add_walls(scene_reader *r, clast_world *w, scene_draft *d) {
     bool needs_still = false;
-    EACH(part_item, part, d->parts) {
-        clast_part_def def = part->def;
-        def.name = part->item.name;
-        if (clast_part_add(w, &def) < 0) FAULT(part->item.node, NULL, "%s", clast_world_error(w));
-    }
+    scene_add_parts(r, w, d);
     EACH(wall_item, wall, d->walls) needs_still = needs_still || is_still(wall);
     if (r->faults->errors) return; /* indices of parts would be off */
     int still = needs_still ? clast_part_add(w, &(clast_part_def){.name = "still"}) : -1;
@@ -321,7 +317,12 @@ static const tree_node *blame(scene_reader *r, const scene_draft *d, const crowd
     unsigned id;
     if (at && sscanf(at, "body %u", &id) == 1 && id < (unsigned)c->count)
         return source_of(d, c, (int)id);
-    return tree_get(r->root, "bodies");
+    EACH(feed_item, feed, d->feeds) {
+        const char *named = scene_print(r->arena, "feed %s ", feed->item.name);
+        if (!strncmp(line, named, strlen(named))) return feed->item.node;
+    }
+    const tree_node *bodies = tree_get(r->root, "bodies");
+    return bodies ? bodies : r->root;
 }
 
 static void report_lines(scene_reader *r, const scene_draft *d, const crowd *c, const char *text) {
@@ -401,7 +402,8 @@ clast_world *scene_build(scene_reader *r, scene_draft *draft, bool prepare_too) 
     if (!r->faults->errors) measure_shapes(r, w, &c);
     if (!r->faults->errors) add_walls(r, w, draft);
     if (!r->faults->errors) add_bodies(r, w, draft, &c);
-    if (!r->faults->errors && c.count == 0)
+    if (!r->faults->errors) scene_add_flow(r, w, draft, &c);
+    if (!r->faults->errors && c.count == 0 && draft->feeds.count == 0)
         scene_report(r->faults, tree_get(r->root, "bodies")->line, "bodies", "found no body");
     if (!r->faults->errors && prepare_too) prepare(r, draft, &c, w);
     crowd_free(&c);

@@ -66,6 +66,8 @@ typedef enum pick_order {
     PICK_SHUFFLED,
     PICK_LARGE_FIRST /* small bodies find room between large ones, not the other way round */
 } pick_order;
+/* Templates of a generator and their shares of the number of bodies, up to a factor. */
+int scene_shares(scene_reader *r, const crowd *c, const generator *g, int **shape, double **share);
 const int *scene_pick(scene_reader *r, const crowd *c, const generator *g, int source, int count,
                       pick_order order);
 double scene_pick_reach(const crowd *c, const generator *g); /* m, of the largest template */
@@ -83,6 +85,16 @@ clast_quat scene_turn(const rotation *turn, const tree_node *node); /* node may 
 /* start_csv.c: a table of bodies. */
 void scene_place_csv(scene_reader *r, crowd *c, const scene_draft *draft, const char *path,
                      const tree_node *node, int source);
+
+/* check.c: what every generator has. `node` may be no map: then it has been reported. */
+void scene_check_generator(scene_reader *r, const scene_draft *d, const tree_node *node,
+                           const generator *g);
+
+/* flow.c: parts with their tables of motion, feeds, outlets. */
+void scene_check_part(scene_reader *r, const part_item *part);
+void scene_check_feed(scene_reader *r, const scene_draft *d, const feed_item *feed);
+void scene_add_parts(scene_reader *r, clast_world *w, const scene_draft *d);
+void scene_add_flow(scene_reader *r, clast_world *w, const scene_draft *d, const crowd *c);
 
 /* build.c: NULL with faults. */
 clast_world *scene_build(scene_reader *r, scene_draft *draft, bool prepare);

@@ -202,6 +202,7 @@ static void check_parts(scene_reader *r, const scene_draft *d) {
         if (def->move_until > 0 && def->move_until <= def->move_from)
             FAULT(part->item.node, "move_until", "found %g s, expected more than move_from, %g s",
                   def->move_until, def->move_from);
+        scene_check_part(r, part);
         bool used = false;
         EACH(wall_item, wall, d->walls) used = used || has_part(wall, part->item.node->index);
         if (!used)
@@ -279,8 +280,8 @@ static void check_motion(scene_reader *r, const scene_draft *d, const tree_node 
               "xyz"[axis]);
 }
 
-static void check_generator(scene_reader *r, const scene_draft *d, const tree_node *node,
-                            const generator *g) {
+void scene_check_generator(scene_reader *r, const scene_draft *d, const tree_node *node,
+                           const generator *g) {
     if (!node || node->kind != TREE_MAP) return;
     clast_vec3 min = g->region_min, max = g->region_max;
     const tree_node *region = tree_get(node, "region");
@@ -323,12 +324,15 @@ static void check_single_body(scene_reader *r, const scene_draft *d, const body_
 }
 
 static void check_bodies(scene_reader *r, const scene_draft *d) {
+    if (!tree_get(r->root, "bodies") && d->feeds.count == 0)
+        FAULT(r->root, "bodies", "missing, expected a list, or feeds");
+    EACH(feed_item, feed, d->feeds) scene_check_feed(r, d, feed);
     EACH(body_item, body, d->bodies) {
         const tree_node *node = body->item.node;
         check_single_body(r, d, body);
-        check_generator(r, d, tree_get(node, "grid"), &body->grid);
-        check_generator(r, d, tree_get(node, "hexagonal"), &body->hexagonal);
-        check_generator(r, d, tree_get(node, "random"), &body->random);
+        scene_check_generator(r, d, tree_get(node, "grid"), &body->grid);
+        scene_check_generator(r, d, tree_get(node, "hexagonal"), &body->hexagonal);
+        scene_check_generator(r, d, tree_get(node, "random"), &body->random);
         if (was_given(r, node, "from") && node->index > 0)
             FAULT(node, "from",
                   "found behind other bodies, expected first: ids and contacts are "
@@ -343,8 +347,25 @@ static void check_span(scene_reader *r, const tree_node *node, const double x[2]
         FAULT(node, "x", "found %g to %g m, expected the smaller first", x[0], x[1]);
 }
 
+/* Columns of series.csv that scenes with feeds or outlets have by themselves. */
+static bool is_taken(const scene_draft *d, const char *name) {
+    static const char *const OURS[] = {"fed", "out", "inside"};
+    bool taken = false;
+    for (int i = 0; i < 3; i++) taken = taken || !strcmp(name, OURS[i]);
+    return taken && d->feeds.count + d->outlets.count > 0;
+}
+
 static void check_measures(scene_reader *r, const scene_draft *d) {
     EACH(measure_item, m, d->measures) {
+        if (is_taken(d, m->item.name))
+            FAULT(m->item.node, NULL,
+                  "found the name '%s', which the masses of feeds and outlets "
+                  "have, expected another",
+                  m->item.name);
+        if (tree_get(m->item.node, "discharged") && d->feeds.count > 0)
+            FAULT(m->item.node, "discharged",
+                  "found in a scene with feeds, expected an outlet: it counts those bodies alone "
+                  "that the scene begins with");
         check_span(r, tree_get(m->item.node, "solid_fraction"), m->bed_x);
         check_span(r, tree_get(m->item.node, "band_velocity"), m->band_x);
         if (strpbrk(m->item.name, ",\"\n "))

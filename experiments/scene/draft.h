@@ -93,6 +93,7 @@ typedef struct shape_item {
 typedef struct part_item {
     item item;
     clast_part_def def;
+    const char *table; /* of its motion */
 } part_item;
 
 typedef struct rotation {
@@ -170,6 +171,19 @@ typedef struct body_item {
     const char *csv, *from;
 } body_item;
 
+typedef struct feed_item {
+    item item;
+    generator from;           /* what and where */
+    double rate, number_rate; /* kg/s, 1/s; one of the two is given */
+    double begins, ends;      /* s */
+    int full;
+} feed_item;
+
+typedef struct outlet_item {
+    item item;
+    clast_outlet_def def;
+} outlet_item;
+
 typedef struct measure_item {
     item item;
     measure discharged, remaining, solid_fraction, band_velocity, part_load, load_profile;
@@ -182,7 +196,7 @@ typedef struct scene_draft {
     int motion;                     /* 0 3-D, 1 + axis in plane */
     const char *library, *function; /* of a contact law of the user's own; NULL: not given */
     uint64_t seed;
-    item_list materials, pairs, shapes, parts, walls, bodies, measures;
+    item_list materials, pairs, shapes, parts, walls, bodies, feeds, outlets, measures;
     scene_mesh *meshes; /* by scene_build(): walls of triangles as they stand in the world */
     int mesh_count;
     const char *mesh_reports; /* what was found in each file or shape, a few lines each */

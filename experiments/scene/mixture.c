@@ -120,6 +120,23 @@ static int count_templates(const crowd *c, const generator *g) {
     return count;
 }
 
+int scene_shares(scene_reader *r, const crowd *c, const generator *g, int **shape, double **share) {
+    SCENE_ASSERT(r && c && g && shape && share);
+    int members = member_count(g), count = count_templates(c, g), n = 0;
+    double *weight = scene_alloc(r->arena, (size_t)members * sizeof *weight);
+    *shape = scene_alloc(r->arena, (size_t)count * sizeof **shape);
+    *share = scene_alloc(r->arena, (size_t)count * sizeof **share);
+    weigh(c, g, weight);
+    for (int m = 0; m < members; m++) {
+        int one = member_shape(g, m), classes = template_count(c, one);
+        for (int k = 0; k < classes; k++, n++) {
+            (*shape)[n] = template_of(c, one, k);
+            (*share)[n] = weight[m] / classes;
+        }
+    }
+    return n;
+}
+
 static void warn_of_none(scene_reader *r, const generator *g, int member, int count) {
     const mixture_item *items = g->mixture.items;
     if (g->mixture.count == 0) return;

@@ -305,22 +305,6 @@ static const scene_key SHAPE_KEYS[] = {
 };
 TABLE(SHAPE, "shapes.NAME", shape_item, SHAPE_KEYS);
 
-/* ---- parts ----------------------------------------------------------------------------------- */
-
-#undef TARGET
-#define TARGET part_item
-static const scene_key PART_KEYS[] = {
-    {"velocity", KEY_VECTOR, UNIT_SPEED, FIELD(def.velocity), ANY, .fallback = "[0, 0, 0]",
-     .meaning = "while it moves"},
-    {"move_from", KEY_NUMBER, UNIT_TIME, FIELD(def.move_from), FROM(0), .fallback = "0 s",
-     .meaning = "starts to move"},
-    {"move_until", KEY_NUMBER, UNIT_TIME, FIELD(def.move_until), ABOVE(0), .word = "never",
-     .fallback = "never", .meaning = "stops"},
-    {"removed_at", KEY_NUMBER, UNIT_TIME, FIELD(def.removed_at), ABOVE(0), .word = "never",
-     .fallback = "never", .meaning = "its walls vanish"},
-};
-TABLE(PART, "parts.NAME", part_item, PART_KEYS);
-
 /* ---- bodies ---------------------------------------------------------------------------------- */
 
 #undef TARGET
@@ -334,7 +318,8 @@ static const scene_key MIXTURE_KEYS[] = {
     {"mass", KEY_NUMBER, UNIT_NUMBER, FIELD(mass), UP_TO(0, 1), .one_of = true,
      .meaning = "its share of the mass, of all entries or of none; exact to one body"},
 };
-TABLE(MIXTURE, "bodies[].grid.mixture[]", mixture_item, MIXTURE_KEYS);
+TABLE_FOR_ALL(SCHEMA_MIXTURE, "bodies[].grid.mixture[], feeds.NAME.mixture[]", mixture_item,
+              MIXTURE_KEYS);
 
 #undef TARGET
 #define TARGET generator
@@ -349,7 +334,7 @@ TABLE(REGION, "bodies[].grid.region", generator, REGION_KEYS);
 #define SHAPE_KEY                                                                                  \
     {"shape", KEY_NAME, FIELD(shape), .refers = "shapes", .one_of = true,                          \
      .meaning = "of every body placed"},                                                           \
-    {"mixture", KEY_LIST, FIELD(mixture), .section = &MIXTURE, .one_of = true,                     \
+    {"mixture", KEY_LIST, FIELD(mixture), .section = &SCHEMA_MIXTURE, .one_of = true,                     \
      .meaning = "several shapes with their shares"}
 #define REGION_KEY                                                                                 \
     {"region", KEY_SECTION, .section = &REGION, .required = true,                                  \
@@ -646,11 +631,15 @@ static const scene_key SCENE_KEYS[] = {
      .meaning = "contact constants"},
     {"shapes", KEY_NAMED, FIELD(shapes), .section = &SHAPE, .required = true,
      .meaning = "templates of bodies"},
-    {"parts", KEY_NAMED, FIELD(parts), .section = &PART, .meaning = "groups of walls"},
+    {"parts", KEY_NAMED, FIELD(parts), .section = &SCHEMA_PART, .meaning = "groups of walls"},
     {"walls", KEY_NAMED, FIELD(walls),
      .section = &SCHEMA_WALL, .meaning = "what bodies bounce off"},
-    {"bodies", KEY_LIST, FIELD(bodies), .section = &BODY, .required = true,
-     .meaning = "what moves; ids count up in this order"},
+    {"bodies", KEY_LIST, FIELD(bodies), .section = &BODY,
+     .meaning = "what moves; ids count up in this order; needed unless there are feeds"},
+    {"feeds", KEY_NAMED, FIELD(feeds), .section = &SCHEMA_FEED,
+     .meaning = "bodies that come while the scene runs, at a rate"},
+    {"outlets", KEY_NAMED, FIELD(outlets), .section = &SCHEMA_OUTLET,
+     .meaning = "where bodies leave: by their centre, at the end of a step"},
     {"seed", KEY_SEED, FIELD(seed), RANGE(0, 9007199254740992.0), .fallback = "1",
      .meaning = "of everything random"},
     {"time", KEY_SECTION, .section = &TIME, .required = true, .meaning = "end and step"},

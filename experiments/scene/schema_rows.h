@@ -22,7 +22,9 @@
 #define UP_TO(x, y)  .range = {(x), (y), true, false} /* the lower end is outside */
 /* clang-format on */
 
-/* schema_walls.c */
+/* schema_walls.c, schema_flow.c, schema.c */
 extern const key_section SCHEMA_TURN, SCHEMA_WALL;
+extern const key_section SCHEMA_PART, SCHEMA_FEED, SCHEMA_OUTLET;
+extern const key_section SCHEMA_MIXTURE;
 
 #endif

@@ -63,6 +63,7 @@ static const struct {
     [UNIT_AREA] = {"area", "m2", DIM(2, 0, 0)},
     [UNIT_INERTIA] = {"moment of inertia", "kg m2", DIM(2, 1, 0)},
     [UNIT_STIFFNESS] = {"stiffness", "N/m", DIM(0, 1, -2)},
+    [UNIT_MASS_RATE] = {"mass per time", "kg/s", DIM(0, 1, -1)},
 };
 
 const char *unit_kind_name(unit_kind kind) {

@@ -45,6 +45,7 @@ typedef enum unit_kind {
     UNIT_AREA,
     UNIT_INERTIA,
     UNIT_STIFFNESS,
+    UNIT_MASS_RATE,
     UNIT_KINDS
 } unit_kind;
 

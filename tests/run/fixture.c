@@ -60,6 +60,25 @@ static void add_bodies(clast_world *w, int ball, int bell) {
     }
 }
 
+/* Balls and dumb-bells that rain into the box, and an outlet below the plug. */
+static void add_flow(clast_world *w, int ball, int bell) {
+    const int kinds[2] = {ball, bell};
+    clast_feed_def feed = {.name = "rain",
+                           .region_min = {0.02, 0, 0.13},
+                           .region_max = {0.08, 0, 0.16},
+                           .shapes = 2,
+                           .shape = kinds,
+                           .number_rate = 150,
+                           .from = 0.11,
+                           .velocity = {0, 0, -0.3},
+                           .turned = true};
+    clast_outlet_def below = {.name = "below",
+                              .kind = CLAST_OUTLET_BOX,
+                              .min = {0.02, -0.05, -0.1},
+                              .max = {0.06, 0.05, -0.06}};
+    CLAST_ASSERT(clast_feed_add(w, &feed) == 0 && clast_outlet_add(w, &below) == 0);
+}
+
 clast_world *bed_world(const bed_options *o) {
     clast_world_def def = clast_world_def_default();
     def.law = CLAST_LAW_HERTZ_A00;
@@ -91,12 +110,14 @@ clast_world *bed_world(const bed_options *o) {
                                                      .inertia = {1e-8, 2.5e-8, 2.5e-8}});
     CLAST_ASSERT(ball == 0 && bell == 1);
     add_walls(w, steel);
-    if (!o->empty) add_bodies(w, ball, bell);
+    if (o->empty) return w;
+    add_bodies(w, ball, bell);
+    add_flow(w, ball, bell);
     return w;
 }
 
 static const measure MEASURES[] = {
-    {.name = "out", .kind = MEASURE_DISCHARGED, .level = 0},
+    {.name = "below", .kind = MEASURE_DISCHARGED, .level = 0},
     {.name = "left", .kind = MEASURE_REMAINING, .level = 0},
     {.name = "bed",
      .kind = MEASURE_SOLID_FRACTION,
@@ -123,6 +144,8 @@ scene *bed_scene(const bed_options *o) {
     s->path = "bed.yaml";
     s->title = "a \"small\" bed & its <plug>";
     s->text = "title: a small bed\n";
+    static clast_material_def materials[2] = {{"button", 1200, 2e7, 0.3}, {"steel", 7800, 2e8, 0.3}};
+    s->materials = materials, s->material_count = 2;
     s->world = bed_world(o);
     CLAST_ASSERT(clast_world_prepare(s->world) == CLAST_OK);
     s->measures = malloc(sizeof MEASURES);

@@ -50,6 +50,8 @@ static void assert_same_results(const char *folder) {
     char *whole = folder_of("whole");
     assert_same_file(whole, folder, FILE_SERIES);
     assert_same_file(whole, folder, "band.samples.csv");
+    assert_same_file(whole, folder, FILE_FEEDS);
+    assert_same_file(whole, folder, FILE_OUTLETS);
     assert_same_file(whole, folder, FILE_XDMF);
     char why[RESULTS_ERROR_MAX];
     results *a = results_open(whole, why), *b = results_open(folder, why);
@@ -93,7 +95,7 @@ static void a_run_writes_everything(void **state) {
     assert_int_equal(results_frames(results_read), 31);
     assert_int_equal(results_rows(results_read), 151);
     const double *t = results_series(results_read, "time_s");
-    const double *kg = results_series(results_read, "out_kg");
+    const double *kg = results_series(results_read, "below_kg");
     const double *left = results_series(results_read, "left_count");
     assert_non_null(t);
     assert_null(results_series(results_read, "no_such_column"));
