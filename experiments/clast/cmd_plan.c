@@ -114,6 +114,18 @@ static void print_step(const clast_plan *p, const clast_world_def *def, bool giv
     printf("  so the shortest contact takes %.1f steps\n", p->resolution);
 }
 
+/* How many bodies a scene with feeds will hold is what its run finds out. */
+static void print_feeds(const clast_world *w) {
+    for (int i = 0; i < clast_world_feed_count(w); i++) {
+        clast_feed_def d = clast_world_feed(w, i);
+        bool mass = d.mass_rate > 0;
+        printf(
+            "feed: %s, %.6g %s; the hold-up is not known before the run, so no cost below counts "
+            "what will have come\n",
+            d.name, mass ? 3600 * d.mass_rate : d.number_rate, mass ? "kg/h" : "bodies/s");
+    }
+}
+
 static void print_cost(const scene *s, double each, int steps) {
     double dt = clast_world_time_step(s->world), count = ceil(s->ending.latest / dt);
     size_t spheres = clast_world_spheres(s->world).count;
@@ -331,6 +343,7 @@ static int plan(const arguments *a, const scene *s) {
     clast_plan p = clast_world_plan(s->world);
     const clast_world_def *def = clast_world_definition(s->world);
     printf("%s: %s\n", s->path, s->title);
+    print_feeds(s->world);
     print_law(s, def->law);
     printf("kernel: %s\n", p.kernel);
     printf("threads: %d, lanes: %s, skin: %.3g mm\n", p.threads, p.isa, 1e3 * p.skin);

@@ -334,7 +334,7 @@ TABLE(REGION, "bodies[].grid.region", generator, REGION_KEYS);
 #define SHAPE_KEY                                                                                  \
     {"shape", KEY_NAME, FIELD(shape), .refers = "shapes", .one_of = true,                          \
      .meaning = "of every body placed"},                                                           \
-    {"mixture", KEY_LIST, FIELD(mixture), .section = &SCHEMA_MIXTURE, .one_of = true,                     \
+    {"mixture", KEY_LIST, FIELD(mixture), .section = &SCHEMA_MIXTURE, .one_of = true, \
      .meaning = "several shapes with their shares"}
 #define REGION_KEY                                                                                 \
     {"region", KEY_SECTION, .section = &REGION, .required = true,                                  \

@@ -144,7 +144,8 @@ scene *bed_scene(const bed_options *o) {
     s->path = "bed.yaml";
     s->title = "a \"small\" bed & its <plug>";
     s->text = "title: a small bed\n";
-    static clast_material_def materials[2] = {{"button", 1200, 2e7, 0.3}, {"steel", 7800, 2e8, 0.3}};
+    static clast_material_def materials[2] = {{"button", 1200, 2e7, 0.3},
+                                              {"steel", 7800, 2e8, 0.3}};
     s->materials = materials, s->material_count = 2;
     s->world = bed_world(o);
     CLAST_ASSERT(clast_world_prepare(s->world) == CLAST_OK);

@@ -5,8 +5,8 @@
 #include "experiments/scene/scene.h"
 
 /* Twenty-four dumb-bells and balls in one layer fall into a box whose plug is pulled at 0.2 s:
- * contacts with history, moving and vanishing walls, bodies that rain in and that leave. About 20 000
- * steps. */
+ * contacts with history, moving and vanishing walls, bodies that rain in and that leave. About
+ * 20 000 steps. */
 typedef struct bed_options {
     double friction; /* 0 reads as 0.4 */
     double latest;   /* s; 0 reads as 0.3 */

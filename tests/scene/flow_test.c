@@ -142,8 +142,9 @@ static void faults_of_tables_have_a_line(void **state) {
 static void faults_of_feeds_are_told(void **state) {
     (void)state;
     put_table("time,x,y,z,angle\n0,0,0,0,0\n");
-    expect("rate: 20 kg/h", "rate: 20 kg", "feeds.hopper.rate: found '20 kg' (mass), expected a mass "
-                                           "per time in kg/s");
+    expect("rate: 20 kg/h", "rate: 20 kg",
+           "feeds.hopper.rate: found '20 kg' (mass), expected a mass "
+           "per time in kg/s");
     expect("    rate: 20 kg/h\n", "", "feeds.hopper.rate: missing");
     expect("rate: 20 kg/h", "rate: 20 kg/h\n    number_rate: 3 /s", "found beside rate");
     expect("until: 40 s", "until: 0.1 s", "feeds.hopper.until: found 0.1 s");
