@@ -147,10 +147,11 @@ vec3 gravity_felt(const clast_world *w);
 void take_accelerations(clast_world *w, int accelerations);
 void elastic_forces(clast_world *w, double spring_time);
 void split_forces(clast_world *w);
+void split_forces_kept(clast_world *w);
 void feel_velocities(clast_world *w);
 void turn_bodies(clast_world *w, double fraction);
 void correct_momenta(clast_world *w);
-clast_status step_settle(clast_world *w);
+clast_status step_settle(clast_world *w, bool with_velocities);
 
 /* scheme_explicit.c, scheme_implicit.c: from the start of a step to its end */
 clast_status step_start(clast_world *w);

@@ -41,7 +41,7 @@ static bool predicts_what_is_kept(const clast_world *w) {
 clast_status step_explicit(clast_world *w) {
     predict(w);
     if (predicts_what_is_kept(w)) {
-        clast_status status = step_settle(w);
+        clast_status status = step_settle(w, false);
         if (status) return status;
         w->counters.force_evaluations++;
         take_accelerations(w, A_NEXT);
@@ -51,7 +51,10 @@ clast_status step_explicit(clast_world *w) {
     trial_try(w, 0.5 * w->dt);
     take_accelerations(w, A_NEXT);
     correct(w);
-    return step_settle(w);
+    clast_status status = step_settle(w, true);
+    if (status) return status;
+    if (w->found.outside) take_accelerations(w, A_NEXT); /* without what has left */
+    return CLAST_OK;
 }
 
 /* ---- the starter ----------------------------------------------------------------------------- */
@@ -100,20 +103,6 @@ static void end_stages(clast_world *w) {
     }
 }
 
-/* What a scheme that splits remembers of the state that ends this step; the state stays. */
-static void remember_split(clast_world *w) {
-    integrator *s = w->integrator;
-    for (size_t i = 0; i < w->bodies.count; i++) {
-        triple_put(s, STAGE, i, body_velocity(w, i));
-        triple_put(s, STAGE_2, i, body_momentum(w, i));
-    }
-    split_forces(w);
-    for (size_t i = 0; i < w->bodies.count; i++) {
-        body_speed_up(w, i, triple_at(s, STAGE, i));
-        body_spin_up(w, i, triple_at(s, STAGE_2, i));
-    }
-}
-
 /* A step of the classical Runge-Kutta scheme, whose local error is of fifth order: the first steps
  * of a scheme that looks back do not spoil its order. In free flight it is exact. Rotation goes as
  * in all other steps. */
@@ -128,8 +117,8 @@ clast_status step_start(clast_world *w) {
     try_stage(w, 1, A_NEXT);
     end_stages(w);
     correct_momenta(w);
-    if (splits) remember_split(w);
-    clast_status status = step_settle(w);
+    if (splits) split_forces_kept(w);
+    clast_status status = step_settle(w, true);
     if (status) return status;
     w->counters.force_evaluations++;
     take_accelerations(w, splits ? KNOWN : A_NEXT);

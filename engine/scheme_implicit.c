@@ -201,7 +201,7 @@ clast_status step_implicit(clast_world *w) {
         feel_velocities(w);
     correct_momenta(w);
     if (!splits) keep_velocities(w, DASHPOT);
-    clast_status status = step_settle(w);
+    clast_status status = step_settle(w, true);
     if (status) return status;
     c->force_evaluations++;
     take_accelerations(w, splits ? KNOWN : A_NEXT);

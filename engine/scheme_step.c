@@ -6,6 +6,7 @@
  * scheme moves bodies otherwise the residual shows it: of the order of the scheme, and of second
  * order at best because of the mean. A scheme that damps by itself (backward Euler, BDF) shows a
  * residual below zero. */
+#include "engine/flow.h"
 #include "engine/scheme.h"
 
 /* ---- rules ----------------------------------------------------------------------------------- */
@@ -101,6 +102,20 @@ void split_forces(clast_world *w) {
         triple_put(s, DASHPOT, i, v3_sub(triple_at(s, DASHPOT, i), triple_at(s, A_NEXT, i)));
 }
 
+/* The same of the state that ends this step, which stays. */
+void split_forces_kept(clast_world *w) {
+    integrator *s = w->integrator;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        triple_put(s, STAGE, i, body_velocity(w, i));
+        triple_put(s, STAGE_2, i, body_momentum(w, i));
+    }
+    split_forces(w);
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        body_speed_up(w, i, triple_at(s, STAGE, i));
+        body_spin_up(w, i, triple_at(s, STAGE_2, i));
+    }
+}
+
 /* ---- rotation -------------------------------------------------------------------------------- */
 
 static quat turn_at_start(const integrator *s, size_t i) {
@@ -179,13 +194,34 @@ static void find_way(clast_world *w) {
     w->found.outside |= outlets_hold_any(w);
 }
 
-/* Takes the state in the columns of the bodies as that at the end of the step; bodies that have
- * left go. The forces there are those of the last pass. */
-clast_status step_settle(clast_world *w) {
+/* Where velocities wait for the forces at the end of the step: bodies that leave feel gravity and
+ * global damping alone. */
+static void fly_out(clast_world *w) {
+    const integrator *s = w->integrator;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        if (outlet_of(w, i) == NO_OUTLET) continue;
+        vec3 slows = v3_scale(w->def.global_damping, triple_at(s, V_AGO, i));
+        vec3 a = v3_sub(gravity_felt(w), slows), x = body_position(w, i);
+        body_speed_up(w, i, rule_velocity(s, &s->info->kept, i, w->dt, x, a));
+    }
+}
+
+/* Bodies that have left go, with their forces. */
+static clast_status settle_without(clast_world *w, bool with_velocities) {
+    if (!with_velocities) fly_out(w);
+    clast_status status = trial_rebuild(w);
+    if (status) return status;
+    if (w->integrator->info->splits) split_forces_kept(w);
+    return CLAST_OK;
+}
+
+/* Takes the state in the columns of the bodies as that at the end of the step, with its velocities
+ * or before they are known. The forces there are those of the last pass. */
+clast_status step_settle(clast_world *w, bool with_velocities) {
     find_way(w);
     book_half(w, false);
     trial_keep_books(w);
-    clast_status status = w->found.outside ? trial_rebuild(w) : CLAST_OK;
+    clast_status status = w->found.outside ? settle_without(w, with_velocities) : CLAST_OK;
     if (status) return status;
     trial_accept(w);
     return CLAST_OK;

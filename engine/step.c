@@ -190,12 +190,11 @@ clast_status clast_world_step(clast_world *w) {
     w->step++;
     lap(&clock, &c->seconds_bodies);
     walls_move(w);
-    s = feeds_deliver(w); /* who is due */
-    if (s) return s;
+    clast_status fed = feeds_deliver(w); /* who is due */
     lap(&clock, &c->seconds_walls);
-    s = refresh_neighbours(w); /* if something has moved half the skin, or left */
+    s = refresh_neighbours(w); /* if something has moved half the skin, come or left */
     lap(&clock, &c->seconds_neighbours);
-    if (s) return s;
+    if (s || fed) return s ? s : fed;
     contacts_evaluate(w); /* narrow phase, law, sums per pair: f(n+1) */
     lap(&clock, &c->seconds_contacts);
     s = guards_check(w);

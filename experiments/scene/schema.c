@@ -570,7 +570,7 @@ static const scene_key MEASURE_KEYS[] = {
     {"coordination", KEY_SECTION, .section = &COORDINATION, .one_of = true,
      .meaning = "mean number of touching partners; {}"},
     {"part_load", KEY_SECTION, .section = &LOAD, .one_of = true,
-     .meaning = "force, torque and work of a part"},
+     .meaning = "force, torque, work and power of a part"},
     {"load_profile", KEY_SECTION, .section = &PROFILE, .one_of = true,
      .meaning = "normal force on a part, by sections of its height (A00 5.3.3.1)"},
 };
