@@ -6,6 +6,7 @@
 #include "engine/flow.h"
 #include "engine/geometry.h"
 #include "engine/numbers.h"
+#include "engine/periodic.h"
 
 /* steps: how long a feed that has found no place waits before it looks again */
 enum { USUAL_ATTEMPTS = 100, REST = 100 };
@@ -186,16 +187,17 @@ static vec3 next_place(const clast_world *w, feed *f, int index) {
 
 static bool is_clear_of_slots(const clast_world *w, size_t from, size_t to, vec3 p, double bound) {
     for (size_t slot = from; slot < to; slot++) {
-        vec3 d = v3_sub(body_position(w, slot), p);
+        vec3 d = separation(&w->period, body_position(w, slot), p);
         double apart = bound + w->shapes[w->bodies.shape[slot]].bound;
         if (v3_dot(d, d) < apart * apart) return false;
     }
     return true;
 }
 
-/* Bodies stand in the cells of the last rebuild; those that came since stand behind. */
+/* Bodies stand in the cells of the last rebuild; those that came since stand behind. Where cells go
+ * round, across periodic faces, all bodies are asked. */
 static bool is_clear_of_bodies(const clast_world *w, vec3 p, double bound) {
-    size_t sorted = w->cells.bodies;
+    size_t sorted = w->period.any ? 0 : w->cells.bodies;
     if (!is_clear_of_slots(w, sorted, w->bodies.count, p, bound)) return false;
     if (sorted == 0) return true;
     const cell_grid *g = &w->cells.grid;
@@ -204,7 +206,7 @@ static bool is_clear_of_bodies(const clast_world *w, vec3 p, double bound) {
     cell_place high = cell_at(g, p.x + far, p.y + far, p.z + far);
     for (int k = low.k; k <= high.k; k++)
         for (int j = low.j; j <= high.j; j++) {
-            size_t row = ((size_t)k * (size_t)g->ny + (size_t)j) * (size_t)g->nx;
+            size_t row = row_of_cells(g, j, k);
             size_t from = w->cells.cell_first[row + (size_t)low.i];
             size_t to = w->cells.cell_first[row + (size_t)high.i + 1];
             if (!is_clear_of_slots(w, from, to, p, bound)) return false;
@@ -216,8 +218,9 @@ static bool is_clear_of_walls(const clast_world *w, vec3 p, double bound) {
     for (int i = 0; i < w->wall_count; i++) {
         const wall *l = &w->walls[i];
         if (!w->parts[l->part].present) continue;
-        if (l->def.kind != CLAST_WALL_PLANE && !is_in_box(l, p, bound)) continue;
-        if (wall_approach(l, p).distance < bound) return false;
+        vec3 at = image_at_wall(w, l, p);
+        if (l->def.kind != CLAST_WALL_PLANE && !is_in_box(l, at, bound)) continue;
+        if (wall_approach(l, at).distance < bound) return false;
     }
     return true;
 }
