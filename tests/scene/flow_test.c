@@ -61,6 +61,8 @@ static void feeds_and_outlets_are_read(void **state) {
     assert_true(end.kind == CLAST_OUTLET_PLANE && bin.kind == CLAST_OUTLET_BOX);
     near_vec(end.normal, 0, 0, -1), near_vec(end.point, 0, 0, -0.5);
     near_vec(bin.min, 4, -1, -1), near_vec(bin.max, 5, 1, 1);
+    const bool *periodic = clast_world_definition(s->world)->periodic;
+    assert_true(!periodic[0] && periodic[1] && !periodic[2]);
     scene_free(s);
 }
 

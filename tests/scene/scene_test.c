@@ -78,7 +78,8 @@ static bool is_tested_elsewhere(const scene_key *key) {
     static const char *const KEYS[] = {
         "solid",    "profile",      "mesh",   "unit",        "fill",  "mass_from", "bar",
         "tube",     "bend",         "axes",   "weld",        "scale", "at",        "copies",
-        "rotation", "smooth_angle", "stroke", "oscillation", "table", "feeds",     "outlets"};
+        "rotation", "smooth_angle", "stroke", "oscillation", "table", "feeds",     "outlets",
+        "periodic"};
     for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; i++)
         if (!strcmp(key->name, KEYS[i])) return true;
     return false;
