@@ -30,10 +30,14 @@ static inline bool needs_settling(const settling *s, const batch *b, const wall_
     return touched > 1 || uneven > 0 || (touched > 0 && ended > 0);
 }
 
+/* The lanes know rectangles, and theirs are the numbers that count, however many walls there are:
+ * the last bits of an edge are others in facets.c. */
 static inline void take_touches(const settling *s, const wall_touch *touch, batch *b, int from,
                                 int to) {
     for (int i = from; i < to; i++) {
         const wall_touch *t = &touch[i - from];
+        if (t->hidden) b->overlap[i] = 0;
+        if (!wall_is_uneven(t->wall)) continue;
         vec3 n = to_kernel(s->w, t->normal);
         b->n[0][i] = n.x, b->n[1][i] = n.y, b->n[2][i] = n.z;
         b->overlap[i] = t->hidden ? 0 : t->overlap;

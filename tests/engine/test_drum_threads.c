@@ -153,5 +153,67 @@ static void far_triangles_cost_nothing(void **state) {
     CHECK_BELOW(many, few + 40);
 }
 
+/* ---- many walls ------------------------------------------------------------------------------ */
+
+enum { TEETH = 30 };
+
+/* A row of spheres between planes and above another one, on the edge of a plate that stands askew,
+ * in a world that has facets as well. */
+static clast_world *rake_world(double skin) {
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
+    def.gravity = vec(0.2, 0.3, -9.81), def.skin = skin, def.threads = 1;
+    def.clump_contact = CLAST_CLUMP_SHARED;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(0.6, 0.5);
+    two_materials m = add_materials(w, &pair);
+    clast_vec3 centre[TEETH];
+    double radius[TEETH];
+    for (int i = 0; i < TEETH; i++)
+        centre[i] = vec((i - 0.5 * (TEETH - 1)) * 2 * R, 0, 0), radius[i] = R;
+    clast_shape_def rake = {"rake", m.soft, TEETH, .centre = centre, .radius = radius};
+    int shape = clast_shape_add(w, &rake), box = clast_part_add(w, &(clast_part_def){"box"});
+    for (int i = 0; i < 3; i++) /* nearer than the margin of a wide skin */
+        add_plane(w, box, m.hard, vec(0, (i ? -1.008 : 1.008 + 0.001 * i) * R, 0),
+                  vec(0, i ? 1 : -1, 0));
+    add_plane(w, box, m.hard, vec(0, 0, -1.4 * R), vec(0, 0, 1));
+    clast_wall_def plate = {"plate",
+                            CLAST_WALL_PLATE,
+                            m.hard,
+                            .point = {0.01, 0, -2 * R},
+                            .normal = {1, 0.1, 0.3},
+                            .side = {-0.3, 0, 1},
+                            .half_side = {1.03 * R, 0.01}};
+    plate.normal.y = 0.1, plate.side = cross(plate.normal, vec(0, 1, 0));
+    assert_true(clast_wall_add(w, box, &plate) >= 0);
+    surface *far = empty_surface();
+    add_sheet(far, vec(0, 0.5, 0), vec(0.1, 0, 0), vec(0, 0, 0.1), 2, 2, NULL);
+    mesh_on(w, box, m.hard, far, vec(0, 0, 0));
+    add_body(w, shape, vec(0, 0, 0.1 * R), vec(0, 0, 0), vec(0, 0.5, 0));
+    return w;
+}
+
+/* Whether the walls near a body fill a batch or not is not seen. */
+static void more_walls_than_a_batch_holds(void **state) {
+    (void)state;
+    uint64_t hash[2];
+    size_t listed[2], touched = 0;
+    for (int wide = 0; wide < 2; wide++) {
+        clast_world *w = rake_world(wide ? 4e-3 : 1e-5);
+        listed[wide] = 0;
+        for (int i = 0; i < 3000; i++) {
+            steps(w, 1);
+            clast_counters c = clast_world_counters(w);
+            if (c.candidates > listed[wide]) listed[wide] = c.candidates;
+            touched += c.contacts;
+        }
+        hash[wide] = clast_world_hash(w);
+        clast_world_free(w);
+    }
+    print_message("rake: %zu and %zu walls listed, %zu contacts\n", listed[0], listed[1], touched);
+    assert_true(touched > 1000 && listed[1] > 64);
+    assert_true(hash[0] == hash[1]);
+}
+
 TEST_MAIN(cmocka_unit_test(the_drum_is_worth_comparing), cmocka_unit_test(the_same_bits),
-          cmocka_unit_test(a_restart_goes_on), cmocka_unit_test(far_triangles_cost_nothing))
+          cmocka_unit_test(a_restart_goes_on), cmocka_unit_test(far_triangles_cost_nothing),
+          cmocka_unit_test(more_walls_than_a_batch_holds))
