@@ -171,7 +171,8 @@ static clast_world *rake_world(double skin) {
     for (int i = 0; i < TEETH; i++)
         centre[i] = vec((i - 0.5 * (TEETH - 1)) * 2 * R, 0, 0), radius[i] = R;
     clast_shape_def rake = {"rake", m.soft, TEETH, .centre = centre, .radius = radius};
-    int shape = clast_shape_add(w, &rake), box = clast_part_add(w, &(clast_part_def){"box"});
+    int row = clast_shape_add(w, &rake);
+    int box = clast_part_add(w, &(clast_part_def){.name = "box"});
     for (int i = 0; i < 3; i++) /* nearer than the margin of a wide skin */
         add_plane(w, box, m.hard, vec(0, (i ? -1.008 : 1.008 + 0.001 * i) * R, 0),
                   vec(0, i ? 1 : -1, 0));
@@ -188,7 +189,7 @@ static clast_world *rake_world(double skin) {
     surface *far = empty_surface();
     add_sheet(far, vec(0, 0.5, 0), vec(0.1, 0, 0), vec(0, 0, 0.1), 2, 2, NULL);
     mesh_on(w, box, m.hard, far, vec(0, 0, 0));
-    add_body(w, shape, vec(0, 0, 0.1 * R), vec(0, 0, 0), vec(0, 0.5, 0));
+    add_body(w, row, vec(0, 0, 0.1 * R), vec(0, 0, 0), vec(0, 0.5, 0));
     return w;
 }
 

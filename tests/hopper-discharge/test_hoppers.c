@@ -46,7 +46,7 @@ static void the_flat_hopper_empties(void **state) {
     flow_run(&(flow_plan){.hopper = &h,
                           .bed = &b,
                           .world = {CLAST_SCHEME_LEAPFROG, .step = 4e-4},
-                          .until = hopper_latest(&h)},
+                          .until = 2 * hopper_latest(&h)},
              &f);
     printf("flat: residence %.3f s, %d trapped, %d through, energy %.1e\n", f.residence, f.trapped,
            f.through, f.energy_worst);

@@ -27,6 +27,18 @@ static int add_clump(clast_world *w, int material, double r, int spheres) {
                                                  .inertia = inertia});
 }
 
+/* A plate that swings and shakes. */
+static void add_paddle(clast_world *w, int material) {
+    clast_part_def turns = {.name = "paddle",
+                            .oscillation = {{0.001, 0, 0.001}, 40, 0.2},
+                            .rotation = {{0.005, 0, 0.028}, {0, 1, 0}, -6, 0.2, 25, 0.1}};
+    int paddle = clast_part_add(w, &turns);
+    clast_wall_def blade = {.name = "blade", .kind = CLAST_WALL_PLATE, .material = material,
+                            .point = {0.005, 0, 0.028}, .normal = {1, 0, 0}, .side = {0, 0, 1},
+                            .half_side = {0.006, 0.03}};
+    demand(clast_wall_add(w, paddle, &blade) >= 0, w);
+}
+
 static void add_walls(clast_world *w, int material) {
     int box = clast_part_add(w, &(clast_part_def){.name = "box"});
     clast_vec3 points[4] = {{-0.05, 0, 0}, {0.05, 0, 0}, {0, -0.02, 0}, {0, 0.02, 0}};
@@ -51,14 +63,6 @@ static void add_walls(clast_world *w, int material) {
     demand(clast_wall_add(w, ram, &(clast_wall_def){.name = "ram", .kind = CLAST_WALL_PLANE,
                                                     .material = material, .point = {-0.055, 0, 0},
                                                     .normal = {1, 0, 0}}) >= 0, w);
-    clast_part_def turns = {.name = "paddle",
-                            .oscillation = {{0.001, 0, 0.001}, 40, 0.2},
-                            .rotation = {{0.005, 0, 0.028}, {0, 1, 0}, -6, 0.2, 25, 0.1}};
-    int paddle = clast_part_add(w, &turns);
-    plate = (clast_wall_def){.name = "blade", .kind = CLAST_WALL_PLATE, .material = material,
-                             .point = {0.005, 0, 0.028}, .normal = {1, 0, 0}, .side = {0, 0, 1},
-                             .half_side = {0.006, 0.03}};
-    demand(clast_wall_add(w, paddle, &plate) >= 0, w);
 }
 
 static clast_world *new_world_of(const bed_wish *wish) {
@@ -88,6 +92,8 @@ clast_world *bed_new(const bed_wish *wish) {
     int shapes[4] = {clast_shape_add_sphere(w, "ball", 0.0043, m), add_clump(w, m, 0.0029, 2),
                      add_clump(w, m, 0.0021, 3), add_clump(w, m, 0.0019, 5)};
     add_walls(w, m);
+    if (wish->scheme == CLAST_SCHEME_LEAPFROG) add_paddle(w, m); /* Newton's method may not
+                                                                    converge where it strikes */
     int bodies = wish->bodies ? wish->bodies : 63, columns = 7;
     for (int i = 0; i < bodies; i++) {
         uint64_t n = (uint64_t)i;
