@@ -17,7 +17,8 @@ static const char HELP[] =
     "had\n"
     "become steady; those still inside at the end count as such.\n"
     "\n"
-    "  --sampling TIME    width of the intervals of E and F (default 3min)\n"
+    "  --sampling TIME    width of the intervals of E and F (default 3min); at most 100000 of "
+    "them\n"
     "  --out FOLDER       writes rtd.csv, curve.csv and tracers.csv there\n"
     "  --from TIME        bodies fed from then on (default: where the hold-up is steady, MSER-5)\n"
     "  --until TIME       and until then (default: the end of the run)\n"
@@ -72,6 +73,11 @@ static int analyse(const arguments *a, const rtd_options *o) {
     if (!p) {
         fprintf(stderr, "clast rtd: %s\n", why);
         return CLAST_EXIT_FILE;
+    }
+    if (!rtd_sampling_fits(p, o->sampling, why)) {
+        fprintf(stderr, "clast rtd: --sampling: %s\n", why);
+        passages_free(p);
+        return CLAST_EXIT_USAGE;
     }
     rtd *r = rtd_new(p, o, why);
     int code = CLAST_EXIT_RUN_FAILED;

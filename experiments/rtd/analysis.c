@@ -32,6 +32,7 @@ const struct rtd_number_name RTD_NUMBER[RTD_NUMBERS] = {
 
 enum { LOOKS = 1000, BATCHES_LEAST = 4 };
 static const double BLOCK_MEANS = 2; /* mean residence times in a block */
+static const double SAMPLING = 180;  /* s, S12 4.7.2 */
 
 static void *room_for(size_t count, size_t size) {
     void *p = calloc(count + 1, size);
@@ -293,6 +294,19 @@ static void take_blocks(rtd *r, double mean) {
     r->blocks = r->tracers / r->block;
 }
 
+bool rtd_sampling_fits(const passages *p, double sampling, char why[RTD_ERROR_MAX]) {
+    CLAST_ASSERT(p && why && sampling >= 0);
+    double longest = 0, width = sampling > 0 ? sampling : SAMPLING;
+    for (size_t i = 0; i < p->count; i++)
+        if (p->items[i].out <= p->end) longest = fmax(longest, p->items[i].out - p->items[i].in);
+    if (longest / width + 1 <= RTD_BINS_MOST) return true;
+    snprintf(why, RTD_ERROR_MAX,
+             "found %.3g intervals of the sampling of %g s in the longest residence time of %g s, "
+             "expected at most %d: a sampling of %.2g s or more",
+             longest / width + 1, width, longest, RTD_BINS_MOST, longest / (RTD_BINS_MOST - 1.));
+    return false;
+}
+
 /* Intervals of the sampling up to the last tracer that left. */
 static void take_bins(rtd *r) {
     double last = 0;
@@ -315,9 +329,10 @@ static void take_models(rtd *r, const double *number) {
 
 rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]) {
     CLAST_ASSERT(p && o && why && o->sampling >= 0 && o->resamples >= 0);
+    if (!rtd_sampling_fits(p, o->sampling, why)) return NULL;
     rtd *r = room_for(1, sizeof *r);
     r->options = *o;
-    if (r->options.sampling == 0) r->options.sampling = 180;
+    if (r->options.sampling == 0) r->options.sampling = SAMPLING;
     if (r->options.resamples == 0) r->options.resamples = 1000;
     if (r->options.seed == 0) r->options.seed = 1;
     r->end = p->end;

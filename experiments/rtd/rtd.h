@@ -19,7 +19,12 @@
 
 #include "experiments/study/statistics.h"
 
-enum { RTD_ERROR_MAX = 1024, RTD_TRACERS_LEAST = 20, RTD_BLOCKS_LEAST = 10 };
+enum {
+    RTD_ERROR_MAX = 1024,
+    RTD_TRACERS_LEAST = 20,
+    RTD_BLOCKS_LEAST = 10,
+    RTD_BINS_MOST = 100000
+};
 
 typedef struct rtd_options {
     double sampling;           /* s, of E and F; 0 = 180, S12 4.7.2 */
@@ -179,7 +184,12 @@ typedef struct rtd {
     double *weight;
 } rtd;
 
-/* NULL with a reason when there are fewer than RTD_TRACERS_LEAST tracers that left. */
+/* Whether E and F of all passages fit into RTD_BINS_MOST intervals of the sampling (s, > 0; 0 =
+ * 180). False with a reason. */
+bool rtd_sampling_fits(const passages *p, double sampling, char why[RTD_ERROR_MAX]);
+
+/* NULL with a reason when there are fewer than RTD_TRACERS_LEAST tracers that left, or the sampling
+ * does not fit. */
 rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]);
 void rtd_free(rtd *r);
 

@@ -127,6 +127,21 @@ static void usage_is_told(void **state) {
     expect_of_run("--bins 3", CLAST_EXIT_USAGE, "unknown option --bins");
 }
 
+/* The longest stay is 50 s. */
+static void the_sampling_has_a_limit(void **state) {
+    (void)state;
+    put_run();
+    char why[RTD_ERROR_MAX] = "";
+    passages *p = passages_read(folder, &(rtd_options){0}, why);
+    if (!p) fail_msg("%s", why);
+    assert_true(rtd_sampling_fits(p, 0, why) && rtd_sampling_fits(p, 51e-5, why));
+    assert_false(rtd_sampling_fits(p, 49e-5, why));
+    assert_null(rtd_new(p, &(rtd_options){.sampling = 49e-5}, why));
+    passages_free(p);
+    expect_of_run("--sampling 1ns", CLAST_EXIT_USAGE, "--sampling: found 5e+10 intervals");
+    assert_true(holds("complained", "expected at most 100000: a sampling of 0.0005 s"));
+}
+
 static void bad_folders_are_told(void **state) {
     (void)state;
     put_run();
@@ -149,9 +164,9 @@ static void bad_folders_are_told(void **state) {
 int main(int argc, char **argv) {
     if (argc < 2) return 2;
     program = argv[1];
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_run_is_analysed),
-                                       cmocka_unit_test(the_first_bed_counts_as_hold_up_alone),
-                                       cmocka_unit_test(usage_is_told),
-                                       cmocka_unit_test(bad_folders_are_told)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_is_analysed),
+        cmocka_unit_test(the_first_bed_counts_as_hold_up_alone), cmocka_unit_test(usage_is_told),
+        cmocka_unit_test(the_sampling_has_a_limit), cmocka_unit_test(bad_folders_are_told)};
     return cmocka_run_group_tests(tests, start, finish);
 }
