@@ -28,7 +28,8 @@ static const char HELP[] =
     "  --resamples N      how many (default 1000)\n"
     "\n"
     "example: clast rtd build/forward --sampling 1min --out build/forward-rtd\n"
-    "exit code: 0, 1 too few bodies have left, 2 usage, 4 a file cannot be read or written\n";
+    "exit code: 0, 1 too few bodies have left or mass is lost, 2 usage, 4 a file cannot be read or "
+    "written\n";
 
 typedef struct arguments {
     const char *run, *sampling, *out, *from, *until, *feed, *outlet;
@@ -67,6 +68,22 @@ static bool read_time(const char *name, const char *text, double *seconds) {
     return false;
 }
 
+/* What makes the numbers doubtful, on stderr; the exit code that it gives. */
+static int warn(const char *run, const passages *p) {
+    if (p->strays > 0)
+        fprintf(stderr,
+                "clast rtd: %s: warning: %zu bodies left the domain, by no outlet, and count as "
+                "having left; --outlet leaves them out\n",
+                run, p->strays);
+    if (passages_balanced(p)) return CLAST_EXIT_OK;
+    fprintf(
+        stderr,
+        "clast rtd: %s: mass is lost: found %.6g kg in less out less inside, expected 0 within "
+        "half the lightest body (%.3g kg): feeds.csv, outlets.csv and series.csv do not agree\n",
+        run, p->balance, p->lightest);
+    return CLAST_EXIT_RUN_FAILED;
+}
+
 static int analyse(const arguments *a, const rtd_options *o) {
     char why[RTD_ERROR_MAX];
     passages *p = passages_read(a->run, o, why);
@@ -83,7 +100,8 @@ static int analyse(const arguments *a, const rtd_options *o) {
     int code = CLAST_EXIT_RUN_FAILED;
     if (r) {
         rtd_print(r, stdout);
-        code = a->out && rtd_write(r, a->out) ? CLAST_EXIT_FILE : CLAST_EXIT_OK;
+        code = warn(a->run, p);
+        if (a->out && rtd_write(r, a->out)) code = CLAST_EXIT_FILE;
     } else {
         fprintf(stderr, "clast rtd: %s: %s\n", a->run, why);
     }

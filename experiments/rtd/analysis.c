@@ -351,6 +351,8 @@ rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]) {
     resample(r, number);
     take_models(r, number);
     take_holdup(r, p);
+    r->balance = p->balance;
+    r->strays = p->strays;
     return r;
 }
 

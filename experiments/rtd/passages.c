@@ -17,6 +17,7 @@ typedef struct record {
     uint32_t id;
     double time, mass, diameter;
     bool wanted; /* of the feed or outlet asked for */
+    bool stray;  /* it left the domain, by no outlet */
 } record;
 
 typedef struct records {
@@ -60,6 +61,7 @@ static bool record_of(char *line, const int at[COLUMNS], const char *wanted, rec
         id < 0 || !(r.mass > 0))
         return false;
     r.id = (uint32_t)id;
+    r.stray = !strcmp(field[at[NAME]], "domain");
     r.wanted = !wanted || !strcmp(field[at[NAME]], wanted);
     all->named = all->named || r.wanted;
     if (all->count == all->room) {
@@ -217,27 +219,62 @@ static csv *series_of(const char *folder, double *end, char why[RTD_ERROR_MAX]) 
     return t;
 }
 
-static void take_series(passages *p, const csv *t) {
-    const double *inside = csv_column(t, "inside_kg"), *fed = csv_column(t, "fed_kg");
-    const double *out = csv_column(t, "out_kg");
-    size_t last = t->rows - 1;
-    double left = 0;
+/* What both tables hold up to the end of the run. */
+typedef struct tally {
+    double in, out, lightest; /* kg */
+    size_t strays, others;    /* of those that left */
+} tally;
+
+static double mass_until(const records *all, double end, tally *t) {
+    double sum = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        t->lightest = fmin(t->lightest, all->items[i].mass);
+        if (all->items[i].time <= end * (1 + 1e-12)) sum += all->items[i].mass;
+    }
+    return sum;
+}
+
+static tally tally_of(const records *in, const records *out, double end) {
+    tally t = {.lightest = INFINITY};
+    t.in = mass_until(in, end, &t);
+    t.out = mass_until(out, end, &t);
+    for (size_t i = 0; i < out->count; i++) out->items[i].stray ? t.strays++ : t.others++;
+    return t;
+}
+
+static void take_series(passages *p, const csv *s, const tally *t) {
+    const double *inside = csv_column(s, "inside_kg"), *fed = csv_column(s, "fed_kg");
+    const double *out = csv_column(s, "out_kg");
+    size_t last = s->rows - 1;
+    double left = 0, counted = 0;
     for (size_t i = 0; i < p->bed_count; i++) left += p->bed_mass[i];
     p->bed = inside ? inside[0] : left;
-    if (inside && fed && out) p->balance = inside[0] + fed[last] - out[last] - inside[last];
+    if (!inside) return;
+    if (fed && out) counted = p->bed + fed[last] - out[last] - inside[last];
+    p->balance = p->bed + t->in - t->out - inside[last];
+    if (fabs(counted) > fabs(p->balance)) p->balance = counted;
+}
+
+bool passages_balanced(const passages *p) {
+    CLAST_ASSERT(p);
+    return isnan(p->balance) || fabs(p->balance) < 0.5 * p->lightest;
 }
 
 passages *passages_read(const char *folder, const rtd_options *o, char why[RTD_ERROR_MAX]) {
     CLAST_ASSERT(folder && o && why);
     records in = {0}, out = {0};
     passages *p = NULL;
-    double end;
+    double end = 0;
     why[0] = '\0';
     csv *series = series_of(folder, &end, why);
-    if (series && records_read(folder, "feeds.csv", "feed", o->feed, &in, why) &&
-        records_read(folder, "outlets.csv", "outlet", o->outlet, &out, why) &&
-        join(&in, &out, &p, end, why))
-        take_series(p, series);
+    bool read = series && records_read(folder, "feeds.csv", "feed", o->feed, &in, why) &&
+                records_read(folder, "outlets.csv", "outlet", o->outlet, &out, why);
+    tally t = read ? tally_of(&in, &out, end) : (tally){0};
+    if (read && join(&in, &out, &p, end, why)) {
+        p->lightest = t.lightest;
+        p->strays = !o->outlet && t.others > 0 ? t.strays : 0;
+        take_series(p, series, &t);
+    }
     csv_free(series);
     free(in.items);
     free(out.items);

@@ -54,6 +54,12 @@ void rtd_print(const rtd *r, FILE *to) {
     line(to, "hold-up", "kg", &r->holdup);
     fprintf(to, "  %-52s %.6g kg/s\n", "feed", r->feed);
     fprintf(to, "  %-52s %.4f\n", "feed x mean residence time over hold-up (S12 4.1)", r->little);
+    if (isfinite(r->balance))
+        fprintf(to, "  %-52s %.3g kg\n", "mass in less out less inside, whole run", r->balance);
+    else
+        fprintf(to, "  %-52s not known: series.csv has no inside_kg\n",
+                "mass in less out less inside, whole run");
+    fprintf(to, "  %-52s %zu\n", "left the domain, by no outlet", r->strays);
     print_peaks(r, to);
 }
 
@@ -69,6 +75,8 @@ static int write_numbers(const rtd *r, const char *folder) {
             r->drift.half);
     fprintf(f, "hold-up,kg,%.9g,%.4g\nfeed,kg/s,%.9g,\n", r->holdup.mean, r->holdup.half, r->feed);
     fprintf(f, "feed x mean residence time over hold-up,,%.9g,\n", r->little);
+    fprintf(f, "mass in less out less inside,kg,%.9g,\n", r->balance);
+    fprintf(f, "\"left the domain, by no outlet\",,%zu,\n", r->strays);
     fprintf(f, "P of a single peak,,%.4g,\n", r->peaks.p);
     fprintf(f, "tracers,,%zu,\nstill inside,,%zu,\nsteady,,%d,\nfrom,s,%.9g,\nuntil,s,%.9g,\n",
             r->tracers, r->inside, r->steady, r->from, r->until);

@@ -51,7 +51,11 @@ typedef struct passages {
     double *bed_out;  /* s, when a body of it left, rising */
     double *bed_mass; /* kg, of that body */
     size_t bed_count;
-    double balance; /* kg: in minus out minus inside, as the run counted it; NAN when it did not */
+    double balance;  /* kg: in minus out minus inside at the end, by the tables or by the run's own
+                        count, whichever is farther from 0; NAN when the series has no inside_kg */
+    double lightest; /* kg, of the bodies in the tables */
+    size_t strays; /* left the domain (outlet `domain`) where there are other outlets, and count as
+                      having left; 0 when an outlet is asked for */
 } passages;
 
 /* Reads feeds.csv, outlets.csv and series.csv of a run. NULL with a reason when there is no such
@@ -64,6 +68,10 @@ void passages_free(passages *p);
 
 /* All times as if a run had gone `factor` times slower; factor > 0. */
 void passages_scale(passages *p, double factor);
+
+/* Whether the balance is nothing within rounding: nearer to 0 than half the lightest body. True
+ * when it is not known. */
+bool passages_balanced(const passages *p);
 
 /* kg inside at a moment. */
 double holdup_at(const passages *p, double time);
@@ -180,7 +188,9 @@ typedef struct rtd {
     double feed;     /* kg/s in the window */
     interval holdup; /* kg, mean over the time of the window; batch means */
     double little;   /* feed x mean residence time over hold-up (4.1) */
-    tracer *items;   /* rising time */
+    double balance;  /* kg, strays: of all passages */
+    size_t strays;
+    tracer *items; /* rising time */
     double *weight;
 } rtd;
 

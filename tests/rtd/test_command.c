@@ -116,6 +116,58 @@ static void the_first_bed_counts_as_hold_up_alone(void **state) {
     passages_free(p);
 }
 
+/* 0.15 kg came, 0.152 kg left with the first bed of 0.002 kg. */
+static void put_series(const char *last) {
+    char *text =
+        text_format("time_s,step,fed_kg,out_kg,inside_kg\n0,0,0,0,0.002\n400,1,%s\n", last);
+    put("series.csv", text);
+    free(text);
+}
+
+static void mass_is_balanced(void **state) {
+    (void)state;
+    put_run();
+    char *out = text_format("--from 20s --until 150s --resamples 2 --out %s/out", folder);
+    expect_of_run(out, CLAST_EXIT_OK, NULL);
+    assert_true(holds("said", "not known: series.csv has no inside_kg"));
+    put_series("0.15,0.152,0");
+    expect_of_run(out, CLAST_EXIT_OK, NULL);
+    assert_false(holds("complained", "mass"));
+    assert_true(holds("out/rtd.csv", "mass in less out less inside,kg,"));
+    put_series("0.15,0.152,0.0002"); /* less than half a pebble: rounding */
+    expect_of_run(out, CLAST_EXIT_OK, NULL);
+    put_series("0.15,0.1515,0"); /* the run itself lost a pebble */
+    expect_of_run(out, CLAST_EXIT_RUN_FAILED, "mass is lost: found 0.0005 kg");
+    assert_true(holds("said", "0.0005 kg"));
+    assert_true(holds("out/rtd.csv", "less inside,kg,0.0005"));
+    put_series("0.15,0.1515,0.0005"); /* the run has one inside that by the tables left */
+    expect_of_run(out, CLAST_EXIT_RUN_FAILED, "mass is lost: found -0.0005 kg");
+    free(out);
+}
+
+static void add_outlet(const char *row) {
+    char *path = path_in(folder, "outlets.csv");
+    FILE *f = fopen(path, "a");
+    assert_non_null(f);
+    fputs(row, f);
+    fclose(f);
+    free(path);
+}
+
+/* Who left the domain has left, but by no outlet: that is told. */
+static void strays_are_told(void **state) {
+    (void)state;
+    put_run();
+    assert_false(holds("complained", "left the domain"));
+    add_outlet("202,251,domain,stone,0.001,0.01\n");
+    char *out = text_format("--from 20s --until 150s --resamples 2 --out %s/out", folder);
+    expect_of_run(out, CLAST_EXIT_OK, "warning: 1 bodies left the domain, by no outlet");
+    assert_true(holds("out/rtd.csv", "\"left the domain, by no outlet\",,1,"));
+    free(out);
+    expect_of_run("--outlet end --from 20s --until 150s --resamples 2", CLAST_EXIT_OK, NULL);
+    assert_false(holds("complained", "left the domain"));
+}
+
 static void usage_is_told(void **state) {
     (void)state;
     put_run();
@@ -164,9 +216,12 @@ static void bad_folders_are_told(void **state) {
 int main(int argc, char **argv) {
     if (argc < 2) return 2;
     program = argv[1];
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_run_is_analysed),
-        cmocka_unit_test(the_first_bed_counts_as_hold_up_alone), cmocka_unit_test(usage_is_told),
-        cmocka_unit_test(the_sampling_has_a_limit), cmocka_unit_test(bad_folders_are_told)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_run_is_analysed),
+                                       cmocka_unit_test(the_first_bed_counts_as_hold_up_alone),
+                                       cmocka_unit_test(mass_is_balanced),
+                                       cmocka_unit_test(strays_are_told),
+                                       cmocka_unit_test(usage_is_told),
+                                       cmocka_unit_test(the_sampling_has_a_limit),
+                                       cmocka_unit_test(bad_folders_are_told)};
     return cmocka_run_group_tests(tests, start, finish);
 }
