@@ -39,7 +39,8 @@
 #define PULSE_UNTIL    0.5   /* s after the opening */
 #define PRESSURE_FROM  0.1   /* s */
 #define PRESSURE_UNTIL 0.3
-#define RESTS_BELOW    0.5 /* of the speed of free fall from the orifice: on the heap */
+#define RESTS_BELOW    0.5  /* of the speed of free fall from the orifice: on the heap */
+#define CHAMBER_FULL   0.95 /* of its depth: the heap below the orifice leaves no room to flow */
 
 enum {
     MAIN_SHAPES = 4,
@@ -134,7 +135,7 @@ typedef struct flow_facts {
     double rate_r2[2];                   /* percent/s with R2 0.99 and 0.9995 */
     double start_up;                     /* s from the first particle to the linear part */
     double fluctuation;                  /* relative standard deviation of the rate over BIN_S */
-    int arches;                          /* stretches below ARCH_RATE */
+    double arches;                       /* stretches below ARCH_RATE */
     double lowest, lowest_at;            /* lowest rate over BIN_S over the mean; s */
     double left;                         /* share that stays above the bottom */
     double ratio[REGIONS], ratio_all;    /* log10 of summed rotational over translational energy */
@@ -146,6 +147,7 @@ typedef struct flow_facts {
     double janssen_k, janssen_r2;
     double heap_slope, heap_end; /* deg, at SNAPSHOT and at the end */
     double heap[HEAP_BINS];      /* m above the ground, at SNAPSHOT */
+    double level, level_end;     /* of the heap below the orifice over the depth of the chamber */
     double fastest;              /* m/s, at SNAPSHOT */
     double turned;               /* rad, mean path of the angle of the tracked particles */
     double residual;
@@ -202,12 +204,17 @@ void bed_measure(aspect_case *c);
 void flow_measure(aspect_case *c);
 /* Parts of it. */
 void discharge_measure(aspect_case *c, const results *r);
+/* Fluctuation, arches and lowest rate of a discharge in percent whose linear part is known; NAN
+ * where that is too short to hold two bins of BIN_S. */
+void roughness_measure(flow_facts *f, const double *t, const double *out);
 void walls_measure(aspect_case *c, const results *r);
 double janssen_load(const aspect_case *c, double k, double depth); /* N/m */
 void ratios_measure(aspect_case *c, results *r);
 double shear_angle(const frame *f, const aspect_case *c, double band);
 void heap_of(const frame *f, const aspect_case *c, double top[HEAP_BINS]);
 double heap_slope(const double top[HEAP_BINS], double half_width); /* deg */
+/* Mean height of the heap below the orifice over the depth of the chamber, m: 0 to 1. */
+double heap_level(const double top[HEAP_BINS], double chamber);
 
 typedef struct ratio_at {
     double summed[REGIONS + 1], mean[REGIONS + 1]; /* not logarithms; the last: everywhere */

@@ -25,13 +25,16 @@ static int bin_of(const double *t, int n) {
 
 /* Fluctuation and arches of the rate over bins of BIN_S within the linear part, without a tenth at
  * either end: it begins with the start-up and ends when the chamber is full or the hopper empty. */
-static void measure_roughness(flow_facts *f, const double *t, const double *out, int n) {
+void roughness_measure(flow_facts *f, const double *t, const double *out) {
+    CLAST_ASSERT(f && t && out);
     enum { BINS = 4096 };
     double rates[BINS] = {0}, lowest = INFINITY;
-    int bin = bin_of(t, n), tenth = f->linear.count / 10, below = 0, bins = 0;
-    int first = f->linear.first + tenth, last = f->linear.first + f->linear.count - 1 - tenth;
-    f->fluctuation = f->lowest_at = NAN;
+    int bin = bin_of(t + f->linear.first, f->linear.count), tenth = f->linear.count / 10;
+    int below = 0, bins = 0, first = f->linear.first + tenth;
+    int last = f->linear.first + f->linear.count - 1 - tenth;
+    f->fluctuation = f->lowest = f->lowest_at = f->arches = NAN;
     if (last - first < 2 * bin) return;
+    f->arches = 0;
     for (int i = first; i + bin <= last && bins < BINS; i += bin)
         rates[bins++] = (out[i + bin] - out[i]) / (t[i + bin] - t[i]);
     f->fluctuation = gsl_stats_sd(rates, 1, (size_t)bins) / f->rate;
@@ -71,7 +74,7 @@ void discharge_measure(aspect_case *c, const results *r) {
     f->rate_r2[1] = linear_part(t, out, n, 0.9995).slope;
     f->start_up = f->linear.from - f->first;
     f->left = 1 - out[n - 1] / 100;
-    measure_roughness(f, t, out, n);
+    roughness_measure(f, t, out);
     free(out);
     const double *residual = run_column(r, "residual_J"), *input = run_column(r, "input_J");
     for (int i = 0; i < n; i++) f->residual = fmax(f->residual, fabs(residual[i]) / input[n - 1]);
@@ -154,6 +157,8 @@ static void measure_frames(aspect_case *c, results *r) {
     heap_of(end, c, last);
     f->heap_slope = heap_slope(f->heap, c->half_width);
     f->heap_end = heap_slope(last, c->half_width);
+    f->level = heap_level(f->heap, c->chamber);
+    f->level_end = heap_level(last, c->chamber);
     frame_free(now), frame_free(end);
 }
 

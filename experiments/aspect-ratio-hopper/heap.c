@@ -44,6 +44,14 @@ void heap_of(const frame *f, const aspect_case *c, double top[HEAP_BINS]) {
     for (int k = 0; k < HEAP_BINS; k++) top[k] = bin[k].z[STRAYS];
 }
 
+double heap_level(const double top[HEAP_BINS], double chamber) {
+    CLAST_ASSERT(top && chamber > 0);
+    double sum = 0, count = 0;
+    for (int k = 0; k < HEAP_BINS; k++)
+        if (fabs(2 * (k + 0.5) / HEAP_BINS - 1) < ORIFICE) sum += top[k], count++;
+    return sum / count / chamber;
+}
+
 /* Of a straight line through the heights over the distance from the middle, both flanks together;
  * above 0 for a heap, below for a hollow. */
 double heap_slope(const double top[HEAP_BINS], double half_width) {

@@ -177,8 +177,12 @@ static void plan_flow(aspect_study *s, int which) {
     job_set(j, "height=%.4f m", c->bed.height);
     if (!c->in_space) job_set(j, "top=%g m", s->size->top);
     bool own_chamber = false;
-    for (int i = 0; i < 3 && VARIANTS[c->variant].flow[i]; i++)
-        own_chamber |= !strncmp(VARIANTS[c->variant].flow[i], "chamber=", 8);
+    for (int i = 0; i < 3 && VARIANTS[c->variant].flow[i]; i++) {
+        const char *set = VARIANTS[c->variant].flow[i];
+        if (strncmp(set, "chamber=", 8)) continue;
+        own_chamber = true;
+        c->chamber = strtod(set + 8, NULL); /* m: the heap is measured from its ground */
+    }
     if (!own_chamber) job_set(j, "chamber=%g m", c->chamber);
     set_setting(j, c, VARIANTS[c->variant].flow);
     jobs_name(j, s->root);

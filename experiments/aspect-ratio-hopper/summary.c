@@ -58,6 +58,8 @@ FACT(janssen_k, c->flow.janssen_k)
 FACT(janssen_r2, c->flow.janssen_r2)
 FACT(heap_slope_then, c->flow.heap_slope)
 FACT(heap_end, c->flow.heap_end)
+FACT(level, c->flow.level)
+FACT(level_end, c->flow.level_end)
 FACT(fastest, c->flow.fastest)
 FACT(turned, c->flow.turned)
 
@@ -108,6 +110,8 @@ const named_fact FACTS[] = {
     {"Janssen R2", "", janssen_r2},
     {"heap slope at 1.4 s", "deg", heap_slope_then},
     {"heap slope at the end", "deg", heap_end},
+    {"level of the heap at 1.4 s", "", level},
+    {"level of the heap at the end", "", level_end},
     {"fastest particle at 1.4 s", "m/s", fastest},
     {"turned by tracked particles", "rad", turned},
 };

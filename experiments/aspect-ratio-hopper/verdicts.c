@@ -11,10 +11,15 @@ typedef struct court {
     bool same_hopper, replicated; /* as the source's; so that there is a spread to test by */
 } court;
 
-static void say(const court *c, const char *quantity, interval ours) {
+/* Judged only where something else than the claim does not decide it. */
+static void say_where(const court *c, const char *quantity, interval ours, bool decided) {
     const published *p = published_need(c->published, quantity);
     bool tested = p->quantity[0] == 'P';
-    verdict_published(c->table, p, ours, c->same_hopper && (c->replicated || !tested));
+    verdict_published(c->table, p, ours, decided && c->same_hopper && (c->replicated || !tested));
+}
+
+static void say(const court *c, const char *quantity, interval ours) {
+    say_where(c, quantity, ours, true);
 }
 
 /* "what aspect 1" and so on, as far as the source has it. */
@@ -37,6 +42,15 @@ static interval fall(interval a, interval b) {
     return r;
 }
 
+/* Share of the fall from a to c that comes between b and c; errors of the means by their partial
+ * derivatives, in squares. */
+static interval share_of_fall(interval a, interval b, interval c) {
+    double whole = a.mean - c.mean, share = (b.mean - c.mean) / whole;
+    interval r = {share, NAN, NAN, (int)fmin(a.n, fmin(b.n, c.n))};
+    if (r.n > 1) r.half = hypot(hypot(b.half, share * a.half), (1 - share) * c.half) / fabs(whole);
+    return r;
+}
+
 static interval slowest(const aspect_study *s) {
     interval most = over(s, 0, fact_named("stable after"));
     for (int shape = 1; shape < MAIN_SHAPES; shape++) {
@@ -52,35 +66,38 @@ static void judge_bed(const court *c, const aspect_study *s) {
     say(c, "time until the slowest bed is stable", slowest(s));
     say(c, "solid fraction: fall from aspect 1 to 4", fall(one, four));
     say(c, "solid fraction: share of the fall between aspect 2 and 4",
-        interval_exact((two.mean - four.mean) / (one.mean - four.mean)));
+        share_of_fall(one, two, four));
     say_each(c, s, "skewness of the solid fraction", "skewness");
     say_each(c, s, "kurtosis of the solid fraction", "kurtosis");
     say_each(c, s, "particles in a full cell", "particles in a full cell");
     say(c, "co-ordination: fall from aspect 1 to 2", fall(over(s, 0, z), over(s, 1, z)));
     say(c, "co-ordination: fall from aspect 2 to 4", fall(over(s, 1, z), over(s, 3, z)));
     say_each(c, s, "force on the bottom: difference from the weight",
-             "bottom force off the weight at rest");
+             "bottom force off the weight");
 }
 
 /* ---- the flow -------------------------------------------------------------------------------- */
 
-/* The source does not say to which side its band leans: of the mean, the acute angle counts. */
-static void say_angles(const court *c, const aspect_study *s) {
+static bool is_full(const aspect_study *s, int shape, const char *level) {
+    return over(s, shape, fact_named(level)).mean >= CHAMBER_FULL;
+}
+
+/* A full chamber ends the discharge within its linear part: the tail is not there to be seen. */
+static void say_linear_parts(const court *c, const aspect_study *s) {
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
         char quantity[100];
-        interval angle = over(s, shape, fact_named("shear angle"));
-        angle.mean = 90 - fabs(90 - angle.mean);
-        snprintf(quantity, sizeof quantity, "angle of the shear band aspect %d", shape + 1);
-        say(c, quantity, angle);
+        snprintf(quantity, sizeof quantity, "linear part of the discharge aspect %d", shape + 1);
+        say_where(c, quantity, over(s, shape, fact_named("linear part")),
+                  !is_full(s, shape, "level of the heap at the end"));
     }
 }
 
 static void judge_flow(const court *c, const aspect_study *s) {
     say_each(c, s, "start-up delay", "start-up delay");
-    say_each(c, s, "linear part of the discharge", "linear part");
+    say_linear_parts(c, s);
     say_each(c, s, "fastest particle at 1.4 s", "fastest particle at 1.4 s");
     say_each(c, s, "log10 of the energy ratio", "energy ratio");
-    say_angles(c, s);
+    say_each(c, s, "angle of the shear band", "shear angle");
     interval five = over(s, SHAPES - 1, fact_named("rate"));
     interval change = fall(over(s, 0, fact_named("rate")), five);
     change.mean = -change.mean;
@@ -125,8 +142,10 @@ static void judge_trends(const court *c, const aspect_study *s) {
     say(c, "P: side walls feel a stronger pulse of longer particles",
         interval_exact(spheres_above_p(s, no_pulse)));
     judge_trend(c, s, "P: the wall pressure grows with the aspect ratio", "wall load", 1, 3);
-    say(c, "P: the heap of aspect 2 is steeper than that of aspect 1",
-        interval_exact(above_p(s, fact_named("heap slope at 1.4 s"), 1, 0)));
+    const char *level = "level of the heap at 1.4 s"; /* what fills the chamber is level */
+    say_where(c, "P: the heap of aspect 2 is steeper than that of aspect 1",
+              interval_exact(above_p(s, fact_named("heap slope at 1.4 s"), 1, 0)),
+              !is_full(s, 0, level) && !is_full(s, 1, level));
     judge_spheres(c, s, "P: tracked spheres turn more than longer particles",
                   "turned by tracked particles");
 }
@@ -134,17 +153,20 @@ static void judge_trends(const court *c, const aspect_study *s) {
 /* What does not hang on one number alone, said all the same. */
 static void print_readings(const aspect_study *s) {
     static const char *const ALSO[] = {"solid fraction by area",
-                                       "bottom force off the weight",
                                        "bottom force off the weight at the end",
+                                       "bottom force off the weight at rest",
                                        "first particle out",
                                        "delay by the linear part",
                                        "rate",
                                        "rate with R2 0.99",
                                        "rate with R2 0.9995",
                                        "energy ratio centre by particles",
+                                       "steepness of the shear band",
                                        "shear angle at 0.1 s",
                                        "shear angle at 0.4 s",
-                                       "shear angle at 70 %"};
+                                       "shear angle at 70 %",
+                                       "level of the heap at 1.4 s",
+                                       "level of the heap at the end"};
     for (size_t i = 0; i < sizeof ALSO / sizeof *ALSO; i++) {
         printf("%s, aspect 1 to 4:", ALSO[i]);
         for (int shape = 0; shape < MAIN_SHAPES; shape++) {

@@ -54,11 +54,12 @@ static interval arches_of(const handling_study *s, int shape, int shapes, int or
     return mean_interval(arched, runs);
 }
 
-/* 1 where it is shown that a is above b (two-sided P < 0.05), or where neither scatters. */
+/* 1 where it is shown that a is above b (two-sided P < 0.05). Without a P, for neither scatters or
+ * there are too few runs, it is not shown. */
 static double is_above(interval a, interval b) {
     if (isnan(a.mean) || isnan(b.mean)) return NAN;
     double p = t_test_welch(a, b).p;
-    return a.mean > b.mean && !(p >= 0.05);
+    return a.mean > b.mean && p < 0.05;
 }
 
 static void judge_bin(const court *c, const handling_study *s) {

@@ -1,7 +1,7 @@
 # title: Force on the bottom while the bed is made
 # counterpart: A00 Fig. 5.8
 # needs: consolidation.csv
-# caption: Over the weight of the bed, without friction; it must be 1 in the end. Particles that land, and the bed that rings behind them, make it more and less; then global damping stops the ringing (not shown), and the beds at rest carry their weight to the percentage in the table of verdicts.
+# caption: Over the weight of the bed, without friction; it must be 1 in the end. Particles that land, and the bed that rings behind them, make it more and less; then global damping stops the ringing (not shown), and the bed carries its weight. The verdicts take the mean of the last 0.25 s shown here.
 width = 8.2; height = 6.2
 load style
 load tools.'/aspect-ratio-hopper/aspect.gpi'

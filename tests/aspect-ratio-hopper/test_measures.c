@@ -151,6 +151,40 @@ static void a_heap_has_its_slope(void **state) {
     frame_free(f);
 }
 
+static void a_full_chamber_has_a_level_of_one(void **state) {
+    (void)state;
+    double top[HEAP_BINS];
+    for (int k = 0; k < HEAP_BINS; k++) top[k] = k < 3 || k >= 17 ? 0.5 : 2; /* 0.7 of the width */
+    assert_true(fabs(heap_level(top, 2) - 1) <
+                1e-12); /* what lies beside the orifice is no matter */
+    for (int k = 0; k < HEAP_BINS; k++) top[k] = 0.1 * k;
+    assert_true(fabs(heap_level(top, 2) - 0.475) < 1e-12);
+}
+
+/* 100 %/s in steps of 5 ms, of which the 12 behind `gap` stand still. */
+static flow_facts rough_discharge(int rows, int gap) {
+    enum { MOST = 100 };
+    double t[MOST], out[MOST];
+    for (int i = 0; i < rows; i++) {
+        t[i] = 0.005 * i;
+        out[i] = 0.5 * (i <= gap ? i : i < gap + 12 ? gap : i - 12);
+    }
+    flow_facts f = {.linear = {.first = 0, .count = rows}, .rate = 100};
+    roughness_measure(&f, t, out);
+    return f;
+}
+
+static void a_gap_in_the_discharge_is_an_arch(void **state) {
+    (void)state;
+    flow_facts even = rough_discharge(100, 100), gap = rough_discharge(100, 40);
+    assert_true(even.arches == 0 && fabs(even.lowest - 1) < 1e-9 && even.fluctuation < 1e-9);
+    assert_true(gap.arches == 1 && fabs(gap.lowest) < 1e-9);
+    assert_true(gap.lowest_at > 0.2 && gap.lowest_at < 0.26);
+    flow_facts few = rough_discharge(8, 100); /* too short to say anything: not "no arches" */
+    assert_true(isnan(few.arches) && isnan(few.lowest) && isnan(few.lowest_at));
+    assert_true(isnan(few.fluctuation));
+}
+
 static void rolling_spheres_have_their_energy_ratio(void **state) {
     (void)state;
     aspect_case c = hopper();
@@ -190,6 +224,8 @@ int main(void) {
         cmocka_unit_test(a_square_lattice_has_its_solid_fraction),
         cmocka_unit_test(the_shear_band_has_its_angle),
         cmocka_unit_test(a_heap_has_its_slope),
+        cmocka_unit_test(a_full_chamber_has_a_level_of_one),
+        cmocka_unit_test(a_gap_in_the_discharge_is_an_arch),
         cmocka_unit_test(rolling_spheres_have_their_energy_ratio),
         cmocka_unit_test(janssen_goes_from_weight_to_friction),
         cmocka_unit_test(a_track_is_turned_by_its_path),
