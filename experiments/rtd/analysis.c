@@ -321,9 +321,12 @@ static void take_bins(rtd *r) {
 
 static void take_models(rtd *r, const double *number) {
     double sampling = r->options.sampling, mean = number[RTD_MEAN];
-    r->tanks = model_fit(tanks_share, r->share, r->bins, sampling, mean, number[RTD_TANKS]);
+    double *left = room_for(r->bins, sizeof *left); /* F of those that leave: it ends at one */
+    for (size_t j = 0; j < r->bins; j++) left[j] = r->share[j] / (1 - number[RTD_INSIDE]);
+    r->tanks = model_fit(tanks_share, left, r->bins, sampling, mean, number[RTD_TANKS]);
     r->dispersion =
-        model_fit(dispersion_share, r->share, r->bins, sampling, mean, number[RTD_PECLET_OPEN]);
+        model_fit(dispersion_share, left, r->bins, sampling, mean, number[RTD_PECLET_OPEN]);
+    free(left);
     r->peaks = peaks_of(r->items, r->tracers, r->weight, r->options.seed, r->options.resamples);
 }
 
@@ -354,6 +357,12 @@ rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]) {
     r->balance = p->balance;
     r->strays = p->strays;
     return r;
+}
+
+double rtd_fitted_share(const rtd *r, rtd_model *model, const rtd_fit *fit, double t) {
+    CLAST_ASSERT(r && model && fit);
+    if (!isfinite(fit->mean)) return NAN;
+    return (1 - r->of[RTD_INSIDE].mean) * model(t, fit->mean, fit->shape);
 }
 
 void rtd_free(rtd *r) {

@@ -83,10 +83,6 @@ static int write_numbers(const rtd *r, const char *folder) {
     return output_close(f);
 }
 
-static double model_at(rtd_model *model, double t, const rtd_fit *fit) {
-    return isfinite(fit->mean) ? model(t, fit->mean, fit->shape) : (double)NAN;
-}
-
 static int write_curve(const rtd *r, const char *folder) {
     FILE *f = output_table(folder, "curve.csv",
                            "from_s,to_s,E_per_s,E_half_per_s,F,F_half,E_tanks_per_s,F_tanks,"
@@ -95,12 +91,13 @@ static int write_curve(const rtd *r, const char *folder) {
     double step = r->options.sampling;
     for (size_t j = 0; j < r->bins; j++) {
         double from = step * (double)j, to = from + step;
-        double tanks = model_at(tanks_share, to, &r->tanks);
-        double flow = model_at(dispersion_share, to, &r->dispersion);
+        double tanks = rtd_fitted_share(r, tanks_share, &r->tanks, to);
+        double flow = rtd_fitted_share(r, dispersion_share, &r->dispersion, to);
+        double tanks_before = rtd_fitted_share(r, tanks_share, &r->tanks, from);
+        double flow_before = rtd_fitted_share(r, dispersion_share, &r->dispersion, from);
         fprintf(f, "%.9g,%.9g,%.6g,%.4g,%.6g,%.4g,%.6g,%.6g,%.6g,%.6g\n", from, to, r->density[j],
-                r->density_half[j], r->share[j], r->share_half[j],
-                (tanks - model_at(tanks_share, from, &r->tanks)) / step, tanks,
-                (flow - model_at(dispersion_share, from, &r->dispersion)) / step, flow);
+                r->density_half[j], r->share[j], r->share_half[j], (tanks - tanks_before) / step,
+                tanks, (flow - flow_before) / step, flow);
     }
     return output_close(f);
 }

@@ -132,11 +132,11 @@ typedef double rtd_model(double t, double mean, double shape);
 
 typedef struct rtd_fit {
     double mean, shape; /* s; number of tanks, or Pe. NAN when the fit failed */
-    double misfit;      /* root mean square of what is left of F */
+    double misfit;      /* root mean square of what is left of F, of those that leave */
 } rtd_fit;
 
-/* Least squares on the share that leaves in each interval of the sampling. share[j]: share that has
- * left by (j + 1) sampling. */
+/* Least squares on the share that leaves in each interval of the sampling. share[j]: share of those
+ * that leave that has left by (j + 1) sampling; it ends at 1, as the models do. */
 rtd_fit model_fit(rtd_model *model, const double *share, size_t n, double sampling, double mean,
                   double shape);
 
@@ -183,7 +183,7 @@ typedef struct rtd {
     double *share;                  /* F at (j + 1) sampling (4.12) */
     double *share_half;             /* half width of its 95 % interval */
     double *density, *density_half; /* 1/s, E in interval j (4.11) */
-    rtd_fit tanks, dispersion;      /* least squares */
+    rtd_fit tanks, dispersion;      /* least squares, of those that leave */
     rtd_peaks peaks;
     double feed;     /* kg/s in the window */
     interval holdup; /* kg, mean over the time of the window; batch means */
@@ -202,6 +202,10 @@ bool rtd_sampling_fits(const passages *p, double sampling, char why[RTD_ERROR_MA
  * does not fit. */
 rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]);
 void rtd_free(rtd *r);
+
+/* Share of all that was fed, beside `share`, that has left by time t (s) as a fit of r has it; NAN
+ * when the fit failed. */
+double rtd_fitted_share(const rtd *r, rtd_model *model, const rtd_fit *fit, double t);
 
 /* ---- out ------------------------------------------------------------------------------------- */
 

@@ -19,10 +19,10 @@ static rtd *analysed(const double *residence, const double *diameter, double mas
         double in = SPACING * (double)(i + 1), out = in + residence[i * 1237 % TRACERS];
         double d = diameter ? diameter[i * 1237 % TRACERS] : 0.013;
         all[i] = (passage){(uint32_t)i, in, out, mass, d};
-        end = fmax(end, out);
+        if (isfinite(out)) end = fmax(end, out);
     }
     char why[RTD_ERROR_MAX] = "";
-    passages *p = passages_new(all, TRACERS, end + 1);
+    passages *p = passages_new(all, TRACERS, end + 20 * MEAN);
     rtd *r = rtd_new(p, o, why);
     passages_free(p);
     if (!r) fail_msg("%s", why);
@@ -124,6 +124,36 @@ static void of_axial_dispersion(void **state) {
     }
 }
 
+/* A tenth never leaves: the rest has the numbers that it has alone. */
+static void of_those_that_leave(void **state) {
+    (void)state;
+    static double tanks[TRACERS], flow[TRACERS];
+    enum { LEAVE = TRACERS / 10 * 9 };
+    const double n = 3.4, peclet = 17.3;
+    for (int i = 0, k = 0; i < TRACERS; i++) {
+        bool stays = i % 10 == 9;
+        double share = (k + 0.5) / LEAVE;
+        tanks[i] = stays ? INFINITY : gsl_cdf_gamma_Pinv(share, n, MEAN / n);
+        flow[i] = stays ? INFINITY : quantile(share, peclet);
+        k += !stays;
+    }
+    rtd *in_tanks = analysed(tanks, NULL, 2e-3, &PLAIN),
+        *in_flow = analysed(flow, NULL, 2e-3, &PLAIN);
+    CHECK_CLOSE(in_tanks->of[RTD_INSIDE].mean, 0.1, 1e-9);
+    CHECK_CLOSE(in_tanks->of[RTD_TANKS].mean, n, 4e-3);
+    CHECK_CLOSE(in_tanks->tanks.shape, n, 2e-3);
+    CHECK_CLOSE(in_tanks->tanks.mean, MEAN, 1e-3);
+    CHECK_CLOSE(in_flow->of[RTD_PECLET_OPEN].mean, peclet, 4e-3);
+    CHECK_CLOSE(in_flow->dispersion.shape, peclet, 3e-3);
+    CHECK_CLOSE(in_flow->dispersion.mean, MEAN, 1e-3);
+    for (size_t j = 0; j < in_flow->bins; j++) {
+        double t = 60 * (double)(j + 1);
+        double fitted = rtd_fitted_share(in_flow, dispersion_share, &in_flow->dispersion, t);
+        CHECK_NEAR(fitted, in_flow->share[j], 1e-3); /* both of all that was fed */
+    }
+    rtd_free(in_tanks), rtd_free(in_flow);
+}
+
 static void of_the_closed_vessel(void **state) {
     (void)state;
     /* 2/Pe - 2 (1 - exp(-Pe)) / Pe2 worked out with 30 digits */
@@ -170,5 +200,5 @@ static void of_sizes(void **state) {
 
 TEST_MAIN(cmocka_unit_test(of_plug_flow), cmocka_unit_test(of_stirred_tanks),
           cmocka_unit_test(of_first_passages), cmocka_unit_test(of_axial_dispersion),
-          cmocka_unit_test(of_the_closed_vessel), cmocka_unit_test(of_the_mean_by_mass),
-          cmocka_unit_test(of_sizes))
+          cmocka_unit_test(of_those_that_leave), cmocka_unit_test(of_the_closed_vessel),
+          cmocka_unit_test(of_the_mean_by_mass), cmocka_unit_test(of_sizes))
