@@ -23,12 +23,13 @@ static const char HELP[] =
     "  --from TIME        bodies fed from then on (default: where the hold-up is steady, MSER-5)\n"
     "  --until TIME       and until then (default: the end of the run)\n"
     "  --feed NAME        of this feed alone\n"
-    "  --outlet NAME      that left by this outlet alone\n"
+    "  --outlet NAME      that left by this outlet alone; of several, all must have left\n"
     "  --seed N           of the resampling behind the intervals (default 1)\n"
     "  --resamples N      how many (default 1000)\n"
     "\n"
     "example: clast rtd build/forward --sampling 1min --out build/forward-rtd\n"
-    "exit code: 0, 1 too few bodies have left or mass is lost, 2 usage, 4 a file cannot be read or "
+    "exit code: 0, 1 too few bodies have left, --outlet while some are inside, or mass is lost, 2 "
+    "usage, 4 a file cannot be read or "
     "written\n";
 
 typedef struct arguments {

@@ -79,6 +79,22 @@ static void rank_all(tracer *t, size_t n) {
     }
 }
 
+/* Who is still inside may yet leave by another outlet, so it is not at risk for this one: the
+ * product-limit weights would be wrong. */
+static bool is_one_way_out(const rtd *r, const passages *p, char why[RTD_ERROR_MAX]) {
+    size_t others = 0;
+    for (size_t i = 0; i < p->other_count; i++)
+        others += p->other_in[i] >= r->from && p->other_in[i] <= r->until;
+    if (others == 0 || r->inside == 0) return true;
+    snprintf(why, RTD_ERROR_MAX,
+             "of the bodies fed between %g s and %g s found %zu still inside and %zu that left by "
+             "another outlet than the one asked for, expected either none inside (until an earlier "
+             "time) or all "
+             "outlets",
+             r->from, r->until, r->inside, others);
+    return false;
+}
+
 static bool take_tracers(rtd *r, const passages *p, char why[RTD_ERROR_MAX]) {
     r->items = room_for(p->count, sizeof *r->items);
     for (size_t i = 0; i < p->count; i++) {
@@ -99,6 +115,7 @@ static bool take_tracers(rtd *r, const passages *p, char why[RTD_ERROR_MAX]) {
                  r->tracers - r->inside, r->tracers, r->from, r->until, RTD_TRACERS_LEAST);
         return false;
     }
+    if (!is_one_way_out(r, p, why)) return false;
     qsort(r->items, r->tracers, sizeof *r->items, by_time);
     rank_all(r->items, r->tracers);
     r->weight = room_for(r->tracers, sizeof *r->weight);

@@ -138,6 +138,7 @@ passages *passages_new(const passage *items, size_t count, double end) {
 void passages_free(passages *p) {
     if (!p) return;
     free(p->items);
+    free(p->other_in);
     free(p->bed_out);
     free(p->bed_mass);
     free(p);
@@ -147,6 +148,7 @@ void passages_scale(passages *p, double factor) {
     CLAST_ASSERT(p && factor > 0);
     for (size_t i = 0; i < p->count; i++) p->items[i].in *= factor, p->items[i].out *= factor;
     for (size_t i = 0; i < p->bed_count; i++) p->bed_out[i] *= factor;
+    for (size_t i = 0; i < p->other_count; i++) p->other_in[i] *= factor;
     p->end *= factor;
 }
 
@@ -178,8 +180,9 @@ static bool join(const records *in, records *out, passages **made, double end,
                  char why[RTD_ERROR_MAX]) {
     passage *all = calloc(in->count + 1, sizeof *all);
     bool *fed = calloc(out->count + 1, sizeof *fed);
-    CLAST_ASSERT(all && fed);
-    size_t n = 0;
+    double *other = calloc(in->count + 1, sizeof *other);
+    CLAST_ASSERT(all && fed && other);
+    size_t n = 0, others = 0;
     why[0] = '\0';
     for (size_t i = 0, k = 0; i < in->count && !why[0]; i++) {
         const record *r = &in->items[i];
@@ -193,10 +196,15 @@ static bool join(const records *in, records *out, passages **made, double end,
         if (r->wanted && through)
             all[n++] = (passage){r->id, r->time, left ? out->items[k].time : INFINITY, r->mass,
                                  r->diameter};
+        else if (r->wanted)
+            other[others++] = r->time;
     }
     if (!why[0]) {
         *made = passages_new(all, n, end);
+        (*made)->other_in = other, (*made)->other_count = others;
         take_bed(*made, out, fed);
+    } else {
+        free(other);
     }
     free(all);
     free(fed);

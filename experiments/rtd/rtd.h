@@ -46,6 +46,8 @@ typedef struct passage {
 typedef struct passages {
     passage *items; /* in the order of entry */
     size_t count;
+    double *other_in; /* s, entries of those that left by an outlet not asked for */
+    size_t other_count;
     double end;       /* s, of the run */
     double bed;       /* kg of the first bed */
     double *bed_out;  /* s, when a body of it left, rising */
@@ -198,8 +200,8 @@ typedef struct rtd {
  * 180). False with a reason. */
 bool rtd_sampling_fits(const passages *p, double sampling, char why[RTD_ERROR_MAX]);
 
-/* NULL with a reason when there are fewer than RTD_TRACERS_LEAST tracers that left, or the sampling
- * does not fit. */
+/* NULL with a reason when there are fewer than RTD_TRACERS_LEAST tracers that left, the sampling
+ * does not fit, or of one outlet of several while some tracers are still inside. */
 rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]);
 void rtd_free(rtd *r);
 

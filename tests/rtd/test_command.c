@@ -168,6 +168,18 @@ static void strays_are_told(void **state) {
     assert_false(holds("complained", "left the domain"));
 }
 
+/* Who is still inside may yet leave by the side. */
+static void one_outlet_of_several_needs_all_to_have_left(void **state) {
+    (void)state;
+    put_run();
+    put("series.csv", "time_s,step\n0,0\n150,150000\n"); /* fed after 100 s: inside */
+    expect_of_run("--outlet end --from 20s --until 120s", CLAST_EXIT_RUN_FAILED,
+                  "found 20 still inside and 1 that left by another outlet");
+    expect_of_run("--outlet end --from 20s --until 99s --resamples 2", CLAST_EXIT_OK, NULL);
+    expect_of_run("--outlet end --from 70s --until 120s --resamples 2", CLAST_EXIT_OK, NULL);
+    expect_of_run("--from 20s --until 120s --resamples 2", CLAST_EXIT_OK, NULL);
+}
+
 static void usage_is_told(void **state) {
     (void)state;
     put_run();
@@ -216,12 +228,14 @@ static void bad_folders_are_told(void **state) {
 int main(int argc, char **argv) {
     if (argc < 2) return 2;
     program = argv[1];
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_run_is_analysed),
-                                       cmocka_unit_test(the_first_bed_counts_as_hold_up_alone),
-                                       cmocka_unit_test(mass_is_balanced),
-                                       cmocka_unit_test(strays_are_told),
-                                       cmocka_unit_test(usage_is_told),
-                                       cmocka_unit_test(the_sampling_has_a_limit),
-                                       cmocka_unit_test(bad_folders_are_told)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_is_analysed),
+        cmocka_unit_test(the_first_bed_counts_as_hold_up_alone),
+        cmocka_unit_test(mass_is_balanced),
+        cmocka_unit_test(strays_are_told),
+        cmocka_unit_test(one_outlet_of_several_needs_all_to_have_left),
+        cmocka_unit_test(usage_is_told),
+        cmocka_unit_test(the_sampling_has_a_limit),
+        cmocka_unit_test(bad_folders_are_told)};
     return cmocka_run_group_tests(tests, start, finish);
 }
