@@ -173,18 +173,18 @@ static clast_world *rake_world(double skin) {
     clast_shape_def rake = {"rake", m.soft, TEETH, .centre = centre, .radius = radius};
     int row = clast_shape_add(w, &rake);
     int box = clast_part_add(w, &(clast_part_def){.name = "box"});
-    for (int i = 0; i < 3; i++) /* nearer than the margin of a wide skin */
-        add_plane(w, box, m.hard, vec(0, (i ? -1.008 : 1.008 + 0.001 * i) * R, 0),
-                  vec(0, i ? 1 : -1, 0));
+    /* Nearer than the margin of a wide skin: 90 entries where a batch has 64. */
+    add_plane(w, box, m.hard, vec(0, 1.008 * R, 0), vec(0, -1, 0));
+    add_plane(w, box, m.hard, vec(0, -1.008 * R, 0), vec(0, 1, 0));
+    add_plane(w, box, m.hard, vec(0, -1.009 * R, 0), vec(0, 1, 0));
     add_plane(w, box, m.hard, vec(0, 0, -1.4 * R), vec(0, 0, 1));
     clast_wall_def plate = {"plate",
                             CLAST_WALL_PLATE,
                             m.hard,
                             .point = {0.01, 0, -2 * R},
                             .normal = {1, 0.1, 0.3},
-                            .side = {-0.3, 0, 1},
                             .half_side = {1.03 * R, 0.01}};
-    plate.normal.y = 0.1, plate.side = cross(plate.normal, vec(0, 1, 0));
+    plate.side = cross(plate.normal, vec(0, 1, 0));
     assert_true(clast_wall_add(w, box, &plate) >= 0);
     surface *far = empty_surface();
     add_sheet(far, vec(0, 0.5, 0), vec(0.1, 0, 0), vec(0, 0, 0.1), 2, 2, NULL);
