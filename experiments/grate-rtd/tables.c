@@ -67,14 +67,12 @@ static void write_curve(FILE *f, const char *name, const rtd *r) {
     double step = r->options.sampling, mean = r->of[RTD_MEAN].mean;
     for (size_t j = 0; j < r->bins; j++) {
         double from = step * (double)j, to = from + step;
-        double tanks = rtd_fitted_share(r, tanks_share, &r->tanks, to);
-        double flow = rtd_fitted_share(r, dispersion_share, &r->dispersion, to);
-        double tanks_before = rtd_fitted_share(r, tanks_share, &r->tanks, from);
-        double flow_before = rtd_fitted_share(r, dispersion_share, &r->dispersion, from);
+        rtd_fitted tanks = rtd_fitted_bin(r, tanks_share, &r->tanks, j);
+        rtd_fitted flow = rtd_fitted_bin(r, dispersion_share, &r->dispersion, j);
         fprintf(f, "%s,%g,%.6g,%.6g,%.5g,%.4g,%.5g,%.4g,%.5g,%.5g,%.5g,%.5g,%.5g\n", name,
                 step / 60, from / 60, to / 60, 60 * r->density[j], 60 * r->density_half[j],
-                r->share[j], r->share_half[j], 60 * (tanks - tanks_before) / step, tanks,
-                60 * (flow - flow_before) / step, flow, (from + to) / 2 / mean);
+                r->share[j], r->share_half[j], 60 * tanks.density, tanks.share, 60 * flow.density,
+                flow.share, (from + to) / 2 / mean);
     }
 }
 

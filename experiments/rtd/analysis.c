@@ -376,10 +376,17 @@ rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]) {
     return r;
 }
 
-double rtd_fitted_share(const rtd *r, rtd_model *model, const rtd_fit *fit, double t) {
-    CLAST_ASSERT(r && model && fit);
+static double fitted_share(const rtd *r, rtd_model *model, const rtd_fit *fit, double t) {
     if (!isfinite(fit->mean)) return NAN;
     return (1 - r->of[RTD_INSIDE].mean) * model(t, fit->mean, fit->shape);
+}
+
+rtd_fitted rtd_fitted_bin(const rtd *r, rtd_model *model, const rtd_fit *fit, size_t j) {
+    CLAST_ASSERT(r && model && fit && j < r->bins);
+    double step = r->options.sampling, from = step * (double)j;
+    double before = fitted_share(r, model, fit, from);
+    double share = fitted_share(r, model, fit, from + step);
+    return (rtd_fitted){(share - before) / step, share};
 }
 
 void rtd_free(rtd *r) {

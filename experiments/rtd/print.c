@@ -91,13 +91,11 @@ static int write_curve(const rtd *r, const char *folder) {
     double step = r->options.sampling;
     for (size_t j = 0; j < r->bins; j++) {
         double from = step * (double)j, to = from + step;
-        double tanks = rtd_fitted_share(r, tanks_share, &r->tanks, to);
-        double flow = rtd_fitted_share(r, dispersion_share, &r->dispersion, to);
-        double tanks_before = rtd_fitted_share(r, tanks_share, &r->tanks, from);
-        double flow_before = rtd_fitted_share(r, dispersion_share, &r->dispersion, from);
+        rtd_fitted tanks = rtd_fitted_bin(r, tanks_share, &r->tanks, j);
+        rtd_fitted flow = rtd_fitted_bin(r, dispersion_share, &r->dispersion, j);
         fprintf(f, "%.9g,%.9g,%.6g,%.4g,%.6g,%.4g,%.6g,%.6g,%.6g,%.6g\n", from, to, r->density[j],
-                r->density_half[j], r->share[j], r->share_half[j], (tanks - tanks_before) / step,
-                tanks, (flow - flow_before) / step, flow);
+                r->density_half[j], r->share[j], r->share_half[j], tanks.density, tanks.share,
+                flow.density, flow.share);
     }
     return output_close(f);
 }

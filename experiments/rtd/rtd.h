@@ -205,9 +205,14 @@ bool rtd_sampling_fits(const passages *p, double sampling, char why[RTD_ERROR_MA
 rtd *rtd_new(const passages *p, const rtd_options *o, char why[RTD_ERROR_MAX]);
 void rtd_free(rtd *r);
 
-/* Share of all that was fed, beside `share`, that has left by time t (s) as a fit of r has it; NAN
+/* What a fit of r has over bin j, as shares of all that was fed, beside `density` and `share`; NAN
  * when the fit failed. */
-double rtd_fitted_share(const rtd *r, rtd_model *model, const rtd_fit *fit, double t);
+typedef struct rtd_fitted {
+    double density; /* 1/s, mean over the bin */
+    double share;   /* that has left by its end */
+} rtd_fitted;
+
+rtd_fitted rtd_fitted_bin(const rtd *r, rtd_model *model, const rtd_fit *fit, size_t j);
 
 /* ---- out ------------------------------------------------------------------------------------- */
 
