@@ -43,6 +43,7 @@ function read_verdicts(    line, f, i, n, name) {
         for (i = 2; i <= n; i++) verdict[f[1], name[i]] = f[i]
         if (verdict[f[1], "verdict"] != "not comparable") counted++
         if (verdict[f[1], "verdict"] == "met") met++
+        if (verdict[f[1], "verdict"] == "open") undecided++
     }
 }
 
@@ -55,7 +56,7 @@ function unit_of(q) {
     return " " verdict[q, "unit"]
 }
 
-# {about size}, {ours kd}, {experiment kd}, {thesis kd}, {met}, {counted} in running text.
+# {about size}, {ours kd}, {experiment kd}, {thesis kd}, {met}, {counted}, {open} in running text.
 function fill(s,    word, what, value, inside) {
     s = escape(s)
     while (match(s, /\{[^}]*\}/)) {
@@ -65,6 +66,7 @@ function fill(s,    word, what, value, inside) {
         if (word == "about") { value = dash(about[what]); sub(/ us$/, " µs", value) }
         else if (word == "met") value = met + 0
         else if (word == "counted") value = counted + 0
+        else if (word == "open") value = undecided + 0
         else if (word == "ours") value = ours(what, 1) unit_of(what)
         else value = dash(verdict[what, word]) unit_of(what)
         s = substr(s, 1, RSTART - 1) escape(value) substr(s, RSTART + RLENGTH)
@@ -146,7 +148,7 @@ function headline(rest,    part, q, v) {
         escape(part[2]) (unit_of(q) != "" ? " (" substr(unit_of(q), 2) ")" : ""), ours(q, 1), dash(verdict[q, "experiment"]), dash(verdict[q, "thesis"]), class_of(v), v
 }
 
-function class_of(v) { return v == "met" ? "met" : v == "missed" ? "missed" : "none" }
+function class_of(v) { return v == "met" || v == "missed" || v == "open" ? v : "none" }
 
 function tolerance_of(q,    t) {
     t = verdict[q, "tolerance"]
@@ -163,7 +165,7 @@ function verdict_rows(    i, q, v) {
         printf "<tr class=\"%s\"><td>%s</td><td>%s</td><td class=\"n strong\">%s</td><td class=\"n\">%s</td><td class=\"n\">%s</td><td class=\"n\">%s</td><td><span class=\"says %s\">%s</span></td><td class=\"fine\">%s</td></tr>\n", \
             class_of(v), escape(q), escape(unit_of(q)), ours(q), dash(verdict[q, "experiment"]), dash(verdict[q, "thesis"]), escape(tolerance_of(q)), class_of(v), v, escape(verdict[q, "source"])
     }
-    printf "</tbody><tfoot><tr><td colspan=\"8\">%s: %d of %d met</td></tr></tfoot></table>\n", study, met, counted
+    printf "</tbody><tfoot><tr><td colspan=\"8\">%s: %d of %d met%s</td></tr></tfoot></table>\n", study, met, counted, undecided ? ", " undecided " open (too few runs to say)" : ""
 }
 
 function sensitivity_rows(    line, f, n, i, at, last, shown, orifice) {

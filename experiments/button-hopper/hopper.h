@@ -157,7 +157,7 @@ int hopper_write_tables(const hopper_study *s, const hopper_summary *m, const ho
 /* pictures.c: frames of chosen runs, through the `clast render` command beside this program. */
 int hopper_pictures(const hopper_study *s);
 
-/* verdicts.c: prints the comparison and writes it; 0 when all are met. */
+/* verdicts.c: prints the comparison and writes it; 0 when none is missed. */
 int hopper_verdicts(const hopper_study *s, const hopper_summary *m, const hopper_published *p,
                     const char *csv);
 hopper_published hopper_read_published(void);

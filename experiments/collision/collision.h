@@ -155,7 +155,7 @@ typedef struct collision_study {
 /* tables.c: runs everything, writes data/. Returns 0, or 4 when a file cannot be written. */
 int collision_write_tables(const collision_study *s);
 
-/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when all are met. */
+/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when none is missed. */
 int collision_verdicts(const char *csv);
 
 #endif

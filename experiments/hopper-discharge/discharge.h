@@ -309,7 +309,7 @@ int discharge_write_tables(const discharge_study *s);
 /* pictures.c: likewise, frames/. */
 int discharge_pictures(const discharge_study *s);
 
-/* verdicts.c: prints and writes the comparison; 0 when all are met. */
+/* verdicts.c: prints and writes the comparison; 0 when none is missed. */
 int discharge_verdicts(const discharge_study *s, const char *csv);
 
 #endif

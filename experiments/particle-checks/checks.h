@@ -319,7 +319,7 @@ typedef struct checks_size {
 /* tables.c: runs everything, writes the folder. Returns 0, or 4 when a file cannot be written. */
 int checks_write_tables(const checks_size *size, const char *name, const char *folder);
 
-/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when all are met. */
+/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when none is missed. */
 int checks_verdicts(const checks_size *size, const char *csv);
 
 #endif

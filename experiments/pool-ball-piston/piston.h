@@ -261,7 +261,7 @@ growth growth_of(const group *g);
 int piston_write_tables(const piston_study *s, const piston_summary *m);
 int piston_pictures(const piston_study *s);
 
-/* Prints and writes the comparison; 0 when all are met. */
+/* Prints and writes the comparison; 0 when none is missed. */
 int piston_verdicts(const piston_study *s, const piston_summary *m, const char *csv);
 
 #endif

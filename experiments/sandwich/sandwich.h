@@ -173,7 +173,7 @@ sandwich_map map_measure(const sandwich_size *size);
 /* tables.c: runs everything, writes the folder. Returns 0, or 4 when a file cannot be written. */
 int sandwich_write_tables(const sandwich_size *size, const char *name, const char *folder);
 
-/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when all are met. */
+/* verdicts.c: runs what is judged, prints and writes the comparison; 0 when none is missed. */
 int sandwich_verdicts(const sandwich_size *size, const char *csv);
 
 #endif

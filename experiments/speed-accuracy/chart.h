@@ -157,7 +157,7 @@ extern const double TOLERANCE[TOLERANCES];
 int chart_write_tables(const chart *c, const chart_size *size, const char *discharge_note,
                        const char *folder);
 
-/* verdicts.c: prints and writes the comparison; 0 when all are met. */
+/* verdicts.c: prints and writes the comparison; 0 when none is missed. */
 int chart_verdicts(const chart *c, const char *csv);
 
 #endif

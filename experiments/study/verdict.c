@@ -22,7 +22,7 @@ struct verdict_table {
     int count;
 };
 
-static const char *const WORDS[] = {"met", "missed", "not comparable"};
+static const char *const WORDS[VERDICTS] = {"met", "missed", "open", "not comparable"};
 
 static char *copy_of(const char *text) {
     char *c = strdup(text);
@@ -52,6 +52,13 @@ void verdict_free(verdict_table *v) {
 
 /* ---- the decision ---------------------------------------------------------------------------- */
 
+/* A mean near a target: an interval that is wider than the tolerance cannot say that it is. With
+ * one that is not, the mean decides both ways: met, or missed. */
+static verdict near_target(double off, double margin, double half) {
+    if (half <= margin) return off <= margin ? VERDICT_MET : VERDICT_MISSED;
+    return off - half > margin ? VERDICT_MISSED : VERDICT_OPEN;
+}
+
 verdict verdict_of(double target, interval ours, tolerance allowed, bool comparable) {
     bool near = allowed.kind == TOLERANCE_MEAN || allowed.kind == TOLERANCE_EQUAL;
     if (!comparable || allowed.kind == TOLERANCE_NONE || (near && !isfinite(target)))
@@ -64,8 +71,7 @@ verdict verdict_of(double target, interval ours, tolerance allowed, bool compara
     bool met = false;
     switch (allowed.kind) {
     case TOLERANCE_MEAN:
-        met = fabs(ours.mean - target) <= margin + rounding;
-        break;
+        return near_target(fabs(ours.mean - target), margin + rounding, half);
     case TOLERANCE_EQUAL:
         met = ours.n > 1 && equivalence_test(ours, interval_exact(target), margin + rounding).equal;
         break;
@@ -264,16 +270,16 @@ static bool write_file(const verdict_table *v, const char *path) {
 
 int verdict_finish(const verdict_table *v, const char *csv, FILE *out) {
     CLAST_ASSERT(v && csv && *csv && out);
-    int met = 0, counted = 0;
-    for (int i = 0; i < v->count; i++) {
-        met += v->rows[i].verdict == VERDICT_MET;
-        counted += v->rows[i].verdict != VERDICT_NOT_COMPARABLE;
-    }
+    int count[VERDICTS] = {0};
+    for (int i = 0; i < v->count; i++) count[v->rows[i].verdict]++;
+    int counted = v->count - count[VERDICT_NOT_COMPARABLE];
     print_table(v, out);
     bool written = write_file(v, csv);
     if (!written) fprintf(stderr, "%s: cannot be written: %s\n", csv, strerror(errno));
-    fprintf(out, "%s: %d of %d met\n", v->study, met, counted);
+    fprintf(out, "%s: %d of %d met", v->study, count[VERDICT_MET], counted);
+    if (count[VERDICT_OPEN] > 0) fprintf(out, ", %d open", count[VERDICT_OPEN]);
+    fputc('\n', out);
     fflush(out);
     if (!written) return 4;
-    return met == counted && counted > 0 ? 0 : 1;
+    return count[VERDICT_MISSED] == 0 && count[VERDICT_MET] > 0 ? 0 : 1;
 }

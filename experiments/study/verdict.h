@@ -6,11 +6,13 @@
  *     verdict_free(v);
  *     return code;
  *
- * The verdict is on the mean of the replicates, its 95 % interval stands beside it. Where a row
- * says "equal", the data must show equality: an equivalence test with the tolerance as margin, P <
- * 0.05, at least two replicates. "At most" and "at least" are claims too: the whole interval must
- * lie on that side. One number without a spread is compared as it is. A mean that does not exist
- * (all runs blocked) is missed. An explanation changes nothing here. */
+ * A mean near a target is judged where its 95 % interval is no wider than the tolerance: met
+ * inside, missed outside. Where it is wider, the row is missed if the whole interval lies outside,
+ * or else open: too few runs to say. Where a row says "equal", the data must show equality: an
+ * equivalence test with the tolerance as margin, P < 0.05, at least two replicates. "At most" and
+ * "at least" are claims too: the whole interval must lie on that side. What a claim does not show
+ * is missed, never open. One number without a spread is compared as it is. A mean that does not
+ * exist (all runs blocked) is missed. An explanation changes nothing here. */
 #ifndef CLAST_STUDY_VERDICT_H
 #define CLAST_STUDY_VERDICT_H
 
@@ -20,7 +22,13 @@
 #include "experiments/study/published.h"
 #include "experiments/study/statistics.h"
 
-typedef enum verdict { VERDICT_MET, VERDICT_MISSED, VERDICT_NOT_COMPARABLE } verdict;
+typedef enum verdict {
+    VERDICT_MET,
+    VERDICT_MISSED,
+    VERDICT_OPEN,
+    VERDICT_NOT_COMPARABLE,
+    VERDICTS
+} verdict;
 
 typedef struct verdict_table verdict_table;
 
@@ -48,9 +56,10 @@ verdict verdict_named(verdict_table *v, const published_table *numbers, const ch
 /* Pure: what verdict_add decides. */
 verdict verdict_of(double target, interval ours, tolerance allowed, bool comparable);
 
-/* Prints one line per quantity and "<study>: N of M met", and writes the table to the file csv (its
- * folders are made, it appears whole or not at all). Returns the exit code: 0 all met and at least
- * one row counted, 1 not, 4 the file could not be written (said on stderr). */
+/* Prints one line per quantity and "<study>: N of M met, K open" (K of the M; not said where 0),
+ * and writes the table to the file csv (its folders are made, it appears whole or not at all).
+ * Returns the exit code: 0 none missed and at least one met, 1 not, 4 the file could not be written
+ * (said on stderr). */
 int verdict_finish(const verdict_table *v, const char *csv, FILE *out);
 
 /* "47.3 ± 2.1": two digits of the interval decide; "47.31 (n = 1)" without one; "none" without a

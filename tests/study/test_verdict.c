@@ -31,8 +31,15 @@ static void decisions(void **state) {
         const tolerance *allowed;
         verdict want;
     } cases[] = {
-        {0.39, 0.37, 0.5, &NEAR, VERDICT_MET}, /* on the bound, whatever the scatter */
+        {0.39, 0.37, 0.0161, &NEAR, VERDICT_MET},  /* on the bound, ± 0.01999 */
+        {0.39, 0.37, 0.0162, &NEAR, VERDICT_OPEN}, /* ± 0.02011: wider than what is allowed */
+        {0.39, 0.39, 0.5, &NEAR, VERDICT_OPEN},    /* on the target, and shows nothing */
         {0.39, 0.3699, 0, &NEAR, VERDICT_MISSED},
+        {0.39, 0.36, 0.0161, &NEAR, VERDICT_MISSED}, /* narrow enough: the mean decides, here too */
+        {0.39, 0.36, 0.0162, &NEAR, VERDICT_OPEN},   /* reaches inside */
+        {0.39, 0.349, 0.0162, &NEAR,
+         VERDICT_MISSED}, /* up to 0.3691: wide, and all of it outside */
+        {-0.409, -0.46, 0.1, &TENTH, VERDICT_OPEN},
         {0.39, 0.411, 0, &NEAR, VERDICT_MISSED},
         {-0.409, -0.409 * 1.108, 0, &TENTH, VERDICT_MET}, /* per cent of a negative target */
         {-0.409, -0.409 * 1.109, 0, &TENTH, VERDICT_MISSED},
@@ -121,6 +128,24 @@ static void table_file_and_code(void **state) {
     verdict_add(v, "C", "1/cm", 0.39, 0.386, five(NAN, NAN), NEAR, true);
     assert_int_equal(finish(v, csv, &printed), 1);
     assert_non_null(strstr(printed, "hopper: 1 of 2 met\n"));
+    verdict_add(v, "B", "d", 1.02, NAN, five(1.08, 0.4), (tolerance){TOLERANCE_MEAN, 0.4, false},
+                true);
+    assert_int_equal(finish(v, csv, &printed), 1);
+    assert_non_null(strstr(printed, "hopper: 1 of 3 met, 1 open\n"));
+    verdict_free(v);
+}
+
+/* Too few runs are no failure and no success. */
+static void open_rows(void **state) {
+    (void)state;
+    char *printed;
+    verdict_table *v = verdict_new("open");
+    verdict_add(v, "B", "d", 1.02, NAN, five(1.08, 0.4), NEAR, true);
+    assert_int_equal(finish(v, CLAST_STUDY_SCRATCH "/open.csv", &printed), 1);
+    assert_non_null(strstr(printed, "open: 0 of 1 met, 1 open\n"));
+    verdict_add(v, "C", "1/cm", 0.39, 0.386, five(0.38, 0.001), NEAR, true);
+    assert_int_equal(finish(v, CLAST_STUDY_SCRATCH "/open.csv", &printed), 0);
+    assert_non_null(strstr(printed, "open: 1 of 2 met, 1 open\n"));
     verdict_free(v);
 }
 
@@ -150,7 +175,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decisions),           cmocka_unit_test(intervals_as_text),
         cmocka_unit_test(table_file_and_code), cmocka_unit_test(nothing_counted_is_not_success),
-        cmocka_unit_test(unwritable),
+        cmocka_unit_test(unwritable),          cmocka_unit_test(open_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
