@@ -3,6 +3,7 @@
  * bits are the same in all of them. */
 #include "engine/body_lanes.h"
 #include "engine/lanes.h"
+#include "engine/periodic.h"
 #include "engine/rows.h"
 
 #ifndef CLAST_BODY_KERNEL

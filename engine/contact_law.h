@@ -22,7 +22,7 @@
 
 #include "engine/lanes.h"
 #include "engine/numbers.h"
-#include "engine/world.h"
+#include "engine/world_data.h"
 
 /* Precision of velocities, springs and forces; positions, overlaps and sums are always double. */
 #ifdef CLAST_SINGLE

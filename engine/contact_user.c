@@ -9,6 +9,7 @@
 #include "engine/clast_law.h"
 #include "engine/fnv.h"
 #include "engine/numbers.h"
+#include "engine/world.h"
 
 /* ---- loading --------------------------------------------------------------------------------- */
 

@@ -10,8 +10,10 @@
  * Places of a patch whose normals differ by more than its angle are surfaces of their own: a sphere
  * between the two sides of a tube, or on a floor and against the wall that a fillet joins to it,
  * feels both. */
+#include "engine/facets.h"
 #include "engine/geometry.h"
 #include "engine/periodic.h"
+#include "engine/world.h"
 
 /* ---- which of them are felt ------------------------------------------------------------------ */
 

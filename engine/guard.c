@@ -3,6 +3,8 @@
 
 #include "engine/flow.h"
 #include "engine/geometry.h"
+#include "engine/facets.h"
+#include "engine/world.h"
 
 enum { NAMED = 10, ENERGY_EVERY = 1000 };
 

@@ -41,7 +41,9 @@ void *memory_copy(clast_world *w, const void *from, size_t count, size_t size) {
     return p;
 }
 
-void memory_adopt(clast_world *w, size_t bytes) { count_bytes(w, bytes); }
+void memory_adopt(clast_world *w, size_t bytes) {
+    count_bytes(w, bytes);
+}
 
 void memory_return(clast_world *w, size_t bytes) {
     __atomic_sub_fetch(&w->counters.bytes, bytes, __ATOMIC_RELAXED);

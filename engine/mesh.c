@@ -7,6 +7,7 @@
 
 #include "engine/geometry.h"
 #include "engine/numbers.h"
+#include "engine/world.h"
 
 /* Triangles whose corners are this close to a plane (of the farthest coordinate) lie in it: twice
  * what single precision, as STL has it, may be off by. No patch is farther from its triangles.

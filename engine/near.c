@@ -7,6 +7,8 @@
 #include "engine/geometry.h"
 #include "engine/parallel.h"
 #include "engine/periodic.h"
+#include "engine/facets.h"
+#include "engine/world.h"
 
 /* ---- who is near ----------------------------------------------------------------------------- */
 

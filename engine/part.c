@@ -3,6 +3,7 @@
  * the very same place. Walls are put where their part is in wall.c. */
 #include "engine/numbers.h"
 #include "engine/part.h"
+#include "engine/world.h"
 
 #define WHOLE_TURN (2 * NUMBER_PI)
 

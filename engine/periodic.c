@@ -3,6 +3,7 @@
 #include "engine/periodic.h"
 
 #include "engine/geometry.h"
+#include "engine/world.h"
 
 void period_choose(clast_world *w) {
     vec3 length = v3_sub(w->def.domain_max, w->def.domain_min);

@@ -9,7 +9,13 @@
 #ifndef CLAST_PERIODIC_H
 #define CLAST_PERIODIC_H
 
-#include "engine/world.h"
+#include "engine/world_data.h"
+
+/* periodic.c */
+void period_choose(clast_world *w);
+clast_status period_check(clast_world *w);
+vec3 body_wrap(clast_world *w, size_t slot, exact_sum *unwrapped);
+bool bodies_wrap(clast_world *w, size_t begin, size_t end, exact_sum *unwrapped);
 
 /* Along one axis, m; changes its sign exactly with d. Places are those of bodies, or of spheres of
  * clumps, inside the domain: |d| is below 1.5 lengths. */

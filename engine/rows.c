@@ -1,6 +1,7 @@
 /* rows.c - room and fixed entries of the rows; called when the list of bodies or their order has
  * changed. */
 #include "engine/rows.h"
+#include "engine/world.h"
 
 static size_t count_spheres(const clast_world *w) {
     size_t count = 0;

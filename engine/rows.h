@@ -2,7 +2,7 @@
 #ifndef CLAST_ROWS_H
 #define CLAST_ROWS_H
 
-#include "engine/world.h"
+#include "engine/world_data.h"
 
 /* Columns of the bodies by the axes of the kernel frame. */
 typedef struct kernel_columns {

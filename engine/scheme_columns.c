@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "engine/scheme.h"
+#include "engine/periodic.h"
+#include "engine/world.h"
 
 static bool is_level(int t, int first, int count) {
     return t >= first && t < first + count;

@@ -5,6 +5,7 @@
 #ifndef CLAST_SETTLE_LANES_H
 #define CLAST_SETTLE_LANES_H
 
+#include "engine/facets.h"
 #include "engine/geometry.h"
 #include "engine/wall_lanes.h"
 

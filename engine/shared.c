@@ -2,6 +2,7 @@
  * two bodies, or the same body and wall. Made with the list and at every refresh of it, in an order
  * of names: storage, lists and threads do not decide in which order a group is summed up. */
 #include "engine/shared_lanes.h"
+#include "engine/world.h"
 
 /* Laws whose dashpots do not go with the mass of the bodies have nothing to share. */
 clast_status shared_check(clast_world *w) {

@@ -3,16 +3,23 @@
 #include "engine/numbers.h"
 #include "engine/part.h"
 
-contact_kernel contact_kernel_baseline, contact_kernel_avx2, contact_kernel_avx512;
-contact_kernel contact_kernel_mixed_baseline, contact_kernel_mixed_avx2,
-    contact_kernel_mixed_avx512;
-body_kernel body_kernel_baseline, body_kernel_avx2, body_kernel_avx512;
+contact_kernel contact_kernel_baseline, contact_kernel_mixed_baseline;
+body_kernel body_kernel_baseline;
+/* Weak: a build may leave them out (CLAST_ISA in CMakeLists.txt). */
+__attribute__((weak)) contact_kernel contact_kernel_avx2, contact_kernel_mixed_avx2,
+    contact_kernel_avx512, contact_kernel_mixed_avx512;
+__attribute__((weak)) body_kernel body_kernel_avx2, body_kernel_avx512;
 
 /* ---- instruction sets ------------------------------------------------------------------------ */
 
+static bool has_avx2(void) {
+    return contact_kernel_avx2 && __builtin_cpu_supports("avx2");
+}
+
 static bool has_avx512(void) {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    return contact_kernel_avx512 && __builtin_cpu_supports("avx512f") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512bw");
 }
 
 static void take_kernels(clast_world *w, const char *name, contact_kernel *full,
@@ -22,13 +29,13 @@ static void take_kernels(clast_world *w, const char *name, contact_kernel *full,
     w->body_kernel = bodies;
 }
 
-/* A wish that the processor cannot fulfil falls back to the next best. */
+/* A wish that the processor or the build cannot fulfil falls back to the next best. */
 void special_choose_kernels(clast_world *w) {
     clast_isa wish = w->def.isa == CLAST_ISA_AUTO ? CLAST_ISA_AVX512 : w->def.isa;
     if (wish == CLAST_ISA_AVX512 && has_avx512())
         take_kernels(w, "avx512", contact_kernel_avx512, contact_kernel_mixed_avx512,
                      body_kernel_avx512);
-    else if (wish >= CLAST_ISA_AVX2 && __builtin_cpu_supports("avx2"))
+    else if (wish >= CLAST_ISA_AVX2 && has_avx2())
         take_kernels(w, "avx2", contact_kernel_avx2, contact_kernel_mixed_avx2, body_kernel_avx2);
     else
         take_kernels(w, "baseline", contact_kernel_baseline, contact_kernel_mixed_baseline,

@@ -2,6 +2,7 @@
  *
  * At a step boundary the world holds x(n), v(n-1/2) and the contact forces f(n). */
 #include "engine/parallel.h"
+#include "engine/periodic.h"
 #include "engine/world.h"
 
 enum { SPHERES_PER_THREAD = 1000 };

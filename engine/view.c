@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "engine/part.h"
+#include "engine/world.h"
 
 double clast_world_time(const clast_world *w) {
     return (double)w->step * w->dt;

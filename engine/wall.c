@@ -1,6 +1,7 @@
 /* wall.c - planes and plates, and how they follow their parts. */
 #include "engine/geometry.h"
 #include "engine/part.h"
+#include "engine/world.h"
 
 static const char *fault_of(const clast_world *w, int part_index, const clast_wall_def *d) {
     if (part_index < 0 || part_index >= w->part_count) return "belongs to no part";

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "engine/part.h"
+#include "engine/world.h"
 
 enum { BOX = 6, DEPTH = 32 }; /* numbers of a box; nodes that wait */
 

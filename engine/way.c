@@ -6,6 +6,7 @@
 
 #include "engine/parallel.h"
 #include "engine/periodic.h"
+#include "engine/world.h"
 
 /* Numbers in single precision are as near as this to what they were made of, of their size; twice
  * that covers the arithmetic. */

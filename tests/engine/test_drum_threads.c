@@ -6,6 +6,7 @@
 
 #include "engine/geometry.h"
 #include "engine/numbers.h"
+#include "engine/world.h"
 
 enum { STEPS = 2400 };
 

@@ -4,6 +4,7 @@
 
 #include "engine/geometry.h"
 #include "engine/numbers.h"
+#include "engine/world.h"
 
 static const double ALONE = -1; /* smooth_angle: every facet for itself */
 

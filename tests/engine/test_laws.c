@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "engine/contact_law.h"
+#include "engine/world.h"
 #include "tests/support/bed.h"
 #include "tests/support/collision.h"
 

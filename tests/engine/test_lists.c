@@ -3,6 +3,7 @@
 #include "tests/support/scene.h"
 
 #include "engine/geometry.h"
+#include "engine/world.h"
 
 static const double R = 0.004;
 

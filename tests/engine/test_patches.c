@@ -4,6 +4,7 @@
 
 #include "engine/geometry.h"
 #include "engine/numbers.h"
+#include "engine/world.h"
 
 /* ---- a plane in pieces ----------------------------------------------------------------------- */
 
