@@ -102,8 +102,7 @@ interval slope_with_feed(const grate_study *s) {
     int n = 0;
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
-        bool wanted = g->of->group == GROUP_FEED || g == result_of(s, "backward clay");
-        if (!wanted || !g->rtd) continue;
+        if (g->of->group != GROUP_FEED || !g->rtd) continue;
         interval mean = g->rtd->of[RTD_MEAN];
         double error = error_of(mean) / mean.mean, weight = 1 / (error * error);
         double u = log(g->of->feed), v = log(mean.mean);

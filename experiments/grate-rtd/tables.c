@@ -132,7 +132,7 @@ static int write_feeds(const grate_study *s) {
         scanned = scanned || (s->results[i].rtd && s->results[i].of->group == GROUP_FEED);
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
-        bool clay = g->of->group == GROUP_FEED || !strcmp(g->of->name, "backward clay");
+        bool clay = g->of->group == GROUP_FEED;
         if (!g->rtd || !scanned || !(clay || is_fast(g->of))) continue;
         fprintf(f, "%s,%g", clay ? "clay" : "fast", g->of->feed);
         put(f, g->rtd->of[RTD_MEAN], 1.0 / 60);
