@@ -13,7 +13,7 @@
 #include "engine/flow_saved.h"
 #include "engine/world.h"
 
-enum { FORMAT_VERSION = 5 };
+enum { FORMAT_VERSION = 6 };
 #define FORMAT_NAME "clast checkpoint"
 
 enum { LEDGER_NUMBERS = sizeof(ledger) / sizeof(double) };

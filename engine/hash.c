@@ -1,9 +1,11 @@
 /* hash.c - one number for the whole state: bodies by id, contacts by name, clock, books. FNV-1a
  * over 64-bit words with an extra mixing step: any bit of the state reaches all bits of it.
- * Contacts are hashed one by one and added up, which has no order. */
+ * Bodies and contacts are hashed one by one and added up, which has no order. */
 #include <string.h>
 
 #include "engine/flow.h"
+
+static const uint64_t START = 0xcbf29ce484222325u;
 
 static uint64_t mix(uint64_t hash, uint64_t word) {
     hash = (hash ^ word) * 0x100000001b3u;
@@ -26,7 +28,7 @@ static uint64_t mix_vec(uint64_t hash, vec3 a) {
 
 static void add_contact(const clast_world *w, const contact_place *at, void *context) {
     contact_record r = record_of(w, at->list, at->index, at->with_wall);
-    uint64_t h = mix(mix(0xcbf29ce484222325u, r.a), r.b);
+    uint64_t h = mix(mix(START, r.a), r.b);
     h = mix(mix(h, (uint64_t)r.sphere_a), (uint64_t)r.sphere_b);
     h = mix_double(mix_double(h, r.history.overlap), r.history.normal);
     if (w->history_columns > HISTORY_PLASTIC) h = mix_double(h, r.history.plastic);
@@ -44,25 +46,27 @@ static uint64_t mix_flow(uint64_t h, const flow *f) {
     return h;
 }
 
+/* With all that a scheme remembers of it. */
+static uint64_t hash_of_body(const clast_world *w, size_t i) {
+    const body_store *b = &w->bodies;
+    const double *kept;
+    uint64_t h = START;
+#define X(type, name) h = mix_of(type)(h, b->name[i]);
+    BODY_COLUMNS(X)
+#undef X
+    for (int k = 0; k < 3; k++)
+        if (b->image[k]) h = mix_int32_t(h, b->image[k][i]);
+    for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++) h = mix_double(h, kept[i]);
+    return mix(h, 0);
+}
+
 uint64_t clast_world_hash(const clast_world *w) {
     CLAST_ASSERT(w && w->prepared);
-    const body_store *b = &w->bodies;
-    uint64_t h = mix_double(mix(0xcbf29ce484222325u, w->step), w->dt), contacts = 0;
-    for (uint32_t id = 0; id < w->next_id; id++) {
-        int32_t i = w->slot_of_id[id];
-        if (i < 0) continue;
-#define X(type, name) h = mix_of(type)(h, b->name[i]);
-        BODY_COLUMNS(X)
-#undef X
-        for (int k = 0; k < 3; k++)
-            if (b->image[k]) h = mix_int32_t(h, b->image[k][i]);
-    }
-    const double *kept;
-    for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)
-        for (uint32_t id = 0; id < w->next_id; id++)
-            if (w->slot_of_id[id] >= 0) h = mix_double(h, kept[w->slot_of_id[id]]);
-    contacts_visit(w, add_contact, &contacts);
-    h = mix(h, contacts);
+    uint64_t sums[2] = {0, 0}; /* bodies, contacts */
+    for (size_t i = 0; i < w->bodies.count; i++) sums[0] += hash_of_body(w, i);
+    contacts_visit(w, add_contact, &sums[1]);
+    uint64_t h = mix_double(mix(START, w->step), w->dt);
+    h = mix(mix(h, sums[0]), sums[1]);
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);
     h = mix_flow(h, w->flow);
     double books[sizeof(ledger) / sizeof(double)];

@@ -44,20 +44,32 @@ static double elastic_bound(const clast_world *w) {
     return l.energy * l.count;
 }
 
-/* A power of two that no total of this scene should exceed by much: sets the quanta of the sums. */
-static double energy_scale(const clast_world *w) {
-    double mass = 0, fastest2 = 0, extent = v3_norm(v3_sub(w->def.domain_max, w->def.domain_min));
+/* kg. Counted by shape, so that it does not depend on the order of the bodies. */
+static double mass_of_all(clast_world *w) {
+    double mass = 0, *count = memory_grow(w, NULL, 0, (size_t)w->shape_count, sizeof *count);
+    for (size_t i = 0; i < w->bodies.count; i++) count[w->bodies.shape[i]]++;
+    for (int s = 0; s < w->shape_count; s++) mass += count[s] * w->shapes[s].mass;
+    memory_release(count), memory_return(w, (size_t)w->shape_count * sizeof *count);
+    return mass;
+}
+
+/* m2/s2, of any point of a body. */
+static double fastest_body(const clast_world *w) {
     const body_store *b = &w->bodies;
-    for (uint32_t id = 0; id < w->next_id; id++) {
-        int32_t i = w->slot_of_id[id];
-        if (i < 0) continue;
-        mass += w->shapes[b->shape[i]].mass;
+    double fastest2 = 0;
+    for (size_t i = 0; i < b->count; i++) {
         double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
-        vec3 spin = body_spin(w, (size_t)i);
-        double s2 = v3_dot(spin, spin);
-        double arm = w->shapes[b->shape[i]].bound;
+        vec3 spin = body_spin(w, i);
+        double s2 = v3_dot(spin, spin), arm = w->shapes[b->shape[i]].bound;
         if (v2 + s2 * arm * arm > fastest2) fastest2 = v2 + s2 * arm * arm;
     }
+    return fastest2;
+}
+
+/* A power of two that no total of this scene should exceed by much: sets the quanta of the sums. */
+static double energy_scale(clast_world *w) {
+    double mass = mass_of_all(w), fastest2 = fastest_body(w);
+    double extent = v3_norm(v3_sub(w->def.domain_max, w->def.domain_min));
     for (int l = 0; l < w->wall_count; l++) {
         const part *p = &w->parts[w->walls[l].part];
         double v = v3_norm(v3_add(w->walls[l].def.belt_velocity, p->def.velocity));
