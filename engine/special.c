@@ -5,41 +5,56 @@
 
 contact_kernel contact_kernel_baseline, contact_kernel_mixed_baseline;
 body_kernel body_kernel_baseline;
-/* Weak: a build may leave them out (CLAST_ISA in CMakeLists.txt). */
-__attribute__((weak)) contact_kernel contact_kernel_avx2, contact_kernel_mixed_avx2,
-    contact_kernel_avx512, contact_kernel_mixed_avx512;
-__attribute__((weak)) body_kernel body_kernel_avx2, body_kernel_avx512;
+contact_kernel contact_kernel_avx2, contact_kernel_mixed_avx2;
+contact_kernel contact_kernel_avx512, contact_kernel_mixed_avx512;
+body_kernel body_kernel_avx2, body_kernel_avx512;
+
+/* A build may leave kernels out (CLAST_ISA in CMakeLists.txt). Not by weak symbols: the linker does
+ * not look into an archive for those, and the kernels would be missing everywhere. */
+#ifdef CLAST_HAS_AVX2
+#define KERNEL_AVX2(name) name
+#else
+#define KERNEL_AVX2(name) NULL
+#endif
+#ifdef CLAST_HAS_AVX512
+#define KERNEL_AVX512(name) name
+#else
+#define KERNEL_AVX512(name) NULL
+#endif
 
 /* ---- instruction sets ------------------------------------------------------------------------ */
 
+typedef struct kernels {
+    const char *name;
+    contact_kernel *full, *mixed;
+    body_kernel *bodies;
+} kernels;
+
+static const kernels BASELINE = {"baseline", contact_kernel_baseline, contact_kernel_mixed_baseline,
+                                 body_kernel_baseline};
+static const kernels AVX2 = {"avx2", KERNEL_AVX2(contact_kernel_avx2),
+                             KERNEL_AVX2(contact_kernel_mixed_avx2), KERNEL_AVX2(body_kernel_avx2)};
+static const kernels AVX512 = {"avx512", KERNEL_AVX512(contact_kernel_avx512),
+                               KERNEL_AVX512(contact_kernel_mixed_avx512),
+                               KERNEL_AVX512(body_kernel_avx512)};
+
 static bool has_avx2(void) {
-    return contact_kernel_avx2 && __builtin_cpu_supports("avx2");
+    return AVX2.full && __builtin_cpu_supports("avx2");
 }
 
 static bool has_avx512(void) {
-    return contact_kernel_avx512 && __builtin_cpu_supports("avx512f") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512bw");
-}
-
-static void take_kernels(clast_world *w, const char *name, contact_kernel *full,
-                         contact_kernel *mixed, body_kernel *bodies) {
-    w->isa_name = name;
-    w->contact_kernel = w->def.precision == CLAST_PRECISION_MIXED ? mixed : full;
-    w->body_kernel = bodies;
+    return AVX512.full && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
 }
 
 /* A wish that the processor or the build cannot fulfil falls back to the next best. */
 void special_choose_kernels(clast_world *w) {
     clast_isa wish = w->def.isa == CLAST_ISA_AUTO ? CLAST_ISA_AVX512 : w->def.isa;
-    if (wish == CLAST_ISA_AVX512 && has_avx512())
-        take_kernels(w, "avx512", contact_kernel_avx512, contact_kernel_mixed_avx512,
-                     body_kernel_avx512);
-    else if (wish >= CLAST_ISA_AVX2 && has_avx2())
-        take_kernels(w, "avx2", contact_kernel_avx2, contact_kernel_mixed_avx2, body_kernel_avx2);
-    else
-        take_kernels(w, "baseline", contact_kernel_baseline, contact_kernel_mixed_baseline,
-                     body_kernel_baseline);
+    bool widest = wish == CLAST_ISA_AVX512 && has_avx512();
+    const kernels *k = widest ? &AVX512 : wish >= CLAST_ISA_AVX2 && has_avx2() ? &AVX2 : &BASELINE;
+    w->isa_name = k->name;
+    w->contact_kernel = w->def.precision == CLAST_PRECISION_MIXED ? k->mixed : k->full;
+    w->body_kernel = k->bodies;
 }
 
 /* ---- specialities ---------------------------------------------------------------------------- */
