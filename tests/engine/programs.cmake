@@ -7,6 +7,9 @@ add_test(NAME engine_masked_libm COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FIL
     -P ${CMAKE_CURRENT_SOURCE_DIR}/engine/test_masked.cmake)
 clast_label(engine_masked_libm)
 
+string(REPLACE ";" " " built_isa "${CLAST_ISA}")
+target_compile_definitions(engine_test_threads_determinism PRIVATE "BUILT_ISA=\"${built_isa}\"")
+
 # spheres and rods in a closed drum of facets: small here, 1e8 sphere-steps as its head says
 add_executable(engine_drum_leaks engine/drum_leaks.c)
 target_link_libraries(engine_drum_leaks PRIVATE test_support)
