@@ -2,7 +2,8 @@
  *
  * plan.c says which runs there are, chain.c has the numbers of the particles; grid.c, bed.c,
  * flow.c, shear.c, walls.c, heap.c and motion.c read one run each, summary.c and trends.c draw them
- * together, tables.c, maps.c, pictures.c and verdicts.c write them down.
+ * together, settings.c and contrasts.c compare settings and families of shapes, tables.c, maps.c,
+ * pictures.c and verdicts.c write them down.
  *
  * A00: M. H. Abbaspour-Fard, PhD thesis, University of Newcastle upon Tyne, 2000. */
 #ifndef CLAST_ASPECT_H
@@ -84,9 +85,10 @@ typedef struct aspect_size {
     int count;                       /* particles */
     double half_width, chamber, top; /* m */
     int replicates[SETTINGS];
-    int variants; /* replicates of each variant */
-    int further;  /* replicates of each shape behind the main ones */
-    int in_space; /* replicates in three dimensions, aspects 1 and 2 */
+    int variants;    /* replicates of each variant */
+    int further;     /* replicates of each shape behind the main ones */
+    int in_space;    /* replicates in three dimensions, aspects 1 and 2 */
+    int space_count; /* particles there */
     bool films;
 } aspect_size;
 
@@ -127,19 +129,20 @@ typedef struct bed_facts {
 } bed_facts;
 
 typedef struct flow_facts {
-    double delay, first;                 /* s: DELAY_SHARE out, first particle out */
-    double meets;                        /* s, where the line of the linear part meets zero */
-    linear_window linear;                /* percent of the particles per s */
-    double linear_share;                 /* of what flows out */
-    double rate, rate_kg;                /* percent/s, kg/s */
-    double rate_r2[2];                   /* percent/s with R2 0.99 and 0.9995 */
-    double start_up;                     /* s from the first particle to the linear part */
-    double fluctuation;                  /* relative standard deviation of the rate over BIN_S */
-    double arches;                       /* stretches below ARCH_RATE */
-    double lowest, lowest_at;            /* lowest rate over BIN_S over the mean; s */
-    double left;                         /* share that stays above the bottom */
-    double ratio[REGIONS], ratio_all;    /* log10 of summed rotational over translational energy */
-    double ratio_mean[REGIONS];          /* log10 of the mean over particles */
+    double delay, first;              /* s: DELAY_SHARE out, first particle out */
+    double meets;                     /* s, where the line of the linear part meets zero */
+    linear_window linear;             /* percent of the particles per s */
+    double linear_share;              /* of what flows out */
+    double rate, rate_kg;             /* percent/s, kg/s */
+    double rate_r2[2];                /* percent/s with R2 0.99 and 0.9995 */
+    double start_up;                  /* s from the first particle to the linear part */
+    double fluctuation;               /* relative standard deviation of the rate over BIN_S */
+    double arches;                    /* stretches below ARCH_RATE */
+    double lowest, lowest_at;         /* lowest rate over BIN_S over the mean; s */
+    double left;                      /* share that stays above the bottom */
+    double ratio[REGIONS], ratio_all; /* log10 of summed rotational over translational energy */
+    double ratio_mean[REGIONS];       /* log10 of the mean over particles of their own ratio */
+    double ratio_mean_all;
     double angle[SHEAR_TIMES], angle_70; /* deg, at SHEAR_BAND; at 70 % and SHEAR_TIME */
     double pulse;                        /* largest force over that at rest, mean over partitions */
     double pressure[SECTIONS];           /* N/m, both walls, from below */
@@ -159,7 +162,6 @@ extern const double SHEAR_AT[SHEAR_TIMES]; /* s; the middle one is SHEAR_TIME */
 
 typedef struct aspect_case {
     int shape, setting, variant, replicate;
-    int wave;      /* of runs side by side */
     bool in_space; /* three dimensions */
     chain chain;
     double half_width, chamber; /* m */
@@ -175,13 +177,15 @@ typedef struct aspect_study {
     char root[600], data[640], frames[640];
     job *beds, *rests, *flows;
     aspect_case cases[CASES_MAX]; /* one per bed and flow */
-    int count, waves;
+    int count;
 } aspect_study;
 
 /* plan.c: beds, which then come to rest, and, as the partitions of the side walls hang on their
- * heights, flows. */
+ * heights, flows. What matters most stands first. */
 void aspect_plan(aspect_study *s);
-int aspect_run_all(aspect_study *s); /* number of failed runs; measures what ran */
+/* Number of cases that failed; measures what ran. With CLAST_KEPT in the environment no run is
+ * started: what there is, is measured. */
+int aspect_run_all(aspect_study *s);
 /* NULL when there is none or it failed. */
 const aspect_case *case_of(const aspect_study *s, int shape, int setting, int variant,
                            int replicate);
@@ -236,6 +240,9 @@ double turned_by(const track *t); /* rad, path of the angle above the bottom */
 
 typedef double fact(const aspect_case *c);
 
+/* Values of one setting and variant; how many. */
+int values_at(const aspect_study *s, int shape, int setting, int of_variant, fact *of,
+              double value[REPLICATES_MAX]);
 /* Over the replicates of a shape at the cheaper setting (the source's where there are none). */
 interval over(const aspect_study *s, int shape, fact *of);
 /* The same over the replicates of a variant. */
@@ -252,6 +259,47 @@ double spheres_above_p(const aspect_study *s, fact *of);
 double above_p(const aspect_study *s, fact *of, int a, int b);
 /* One-sided P that the mean of the fact over all replicates of the main shapes is not above 0. */
 double positive_p(const aspect_study *s, fact *of);
+
+/* Slope of a fact over the aspect ratio, over all replicates of the main shapes; two-sided P. */
+typedef struct trend {
+    double slope, half, p; /* NAN with too few */
+    int n;
+} trend;
+trend trend_of(const aspect_study *s, fact *of);
+
+/* ---- the two settings, families of shapes ---------------------------------------------------- */
+
+/* One fact at the source's setting less that at the cheaper one, over the main shapes: each shape
+ * gives one difference, of its run at the source's setting from the mean of its replicates. */
+typedef struct setting_fact {
+    const char *row, *fact; /* of published.csv, where the margin stands; of FACTS */
+    bool relative;          /* in percent of the mean of the replicates */
+} setting_fact;
+extern const setting_fact SETTING_FACTS[];
+extern const int SETTING_FACT_COUNT;
+interval setting_difference(const aspect_study *s, const setting_fact *f);
+
+/* What tells shape from roughness: a is compared with b. */
+typedef struct group {
+    int shape, variant;
+} group;
+typedef struct contrast {
+    const char *name, *what; /* what is varied */
+    group a, b;
+} contrast;
+extern const contrast CONTRASTS[];
+extern const int CONTRAST_COUNT;
+
+typedef struct contrasted {
+    interval a, b;
+    double change, half, p; /* of a from b, 95 % and two-sided P by the pooled scatter */
+    double df;              /* of that; 0: nothing to go by, all NAN */
+} contrasted;
+/* relative: change and scatter in percent; else as they are. */
+contrasted contrast_of(const aspect_study *s, const contrast *k, fact *of, bool relative);
+
+/* One run beside replicates: does it lie outside of what one more of them would lie in (95 %)? */
+bool stands_apart(interval replicates, double one);
 
 /* A fact by name, with its unit, for tables. */
 typedef struct named_fact {

@@ -91,12 +91,26 @@ static void add_body(ratio_sum *s, double turning, double moving) {
     if (moving > 0) s->ratios += turning / moving, s->count += 1;
 }
 
+/* Twice the energy of rotation over the mass: in space chains also turn about their own axis, with
+ * the moment of their spheres (which touch, there). */
+static double turning_of(const frame *f, const aspect_case *c, size_t i) {
+    const double *w = &f->spin[3 * i];
+    double all = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], along = 0;
+    if (c->in_space && c->chain.spheres > 1) {
+        const double *q = &f->orientation[4 * i];
+        along = w[0] * (1 - 2 * (q[2] * q[2] + q[3] * q[3])) +
+                w[1] * 2 * (q[1] * q[2] + q[0] * q[3]) + w[2] * 2 * (q[1] * q[3] - q[0] * q[2]);
+    }
+    double own = 0.4 * c->chain.radius * c->chain.radius;
+    return c->chain.across * (all - along * along) + own * along * along;
+}
+
 ratio_at ratios_of(const frame *f, const aspect_case *c) {
     ratio_sum sum[REGIONS + 1] = {0};
     for (size_t i = 0; i < f->bodies; i++) {
-        const double *p = &f->position[3 * i], *v = &f->velocity[3 * i], *w = &f->spin[3 * i];
+        const double *p = &f->position[3 * i], *v = &f->velocity[3 * i];
         if (p[2] < 0) continue;
-        double turning = 0.5 * c->chain.across * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        double turning = 0.5 * turning_of(f, c, i);
         double moving = 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         int region = (int)((p[0] + c->half_width) / (2 * c->half_width) * REGIONS);
         region = region < 0 ? 0 : region >= REGIONS ? REGIONS - 1 : region;
@@ -114,14 +128,14 @@ ratio_at ratios_of(const frame *f, const aspect_case *c) {
 /* Mean over the frames of the linear part, in which the bed flows everywhere. */
 void ratios_measure(aspect_case *c, results *r) {
     flow_facts *f = &c->flow;
-    double sum[REGIONS + 1] = {0}, mean[REGIONS] = {0}, frames = 0;
+    double sum[REGIONS + 1] = {0}, mean[REGIONS + 1] = {0}, frames = 0;
     for (size_t i = 0; i < results_frames(r); i++) {
         frame *now = results_frame(r, i);
         CLAST_ASSERT(now);
         if (now->time >= f->linear.from && now->time <= f->linear.to) {
             ratio_at at = ratios_of(now, c);
             for (int k = 0; k <= REGIONS; k++) sum[k] += log10(at.summed[k]);
-            for (int k = 0; k < REGIONS; k++) mean[k] += log10(at.mean[k]);
+            for (int k = 0; k <= REGIONS; k++) mean[k] += log10(at.mean[k]);
             frames++;
         }
         frame_free(now);
@@ -129,6 +143,7 @@ void ratios_measure(aspect_case *c, results *r) {
     for (int k = 0; k < REGIONS; k++) f->ratio[k] = sum[k] / frames;
     for (int k = 0; k < REGIONS; k++) f->ratio_mean[k] = mean[k] / frames;
     f->ratio_all = sum[REGIONS] / frames;
+    f->ratio_mean_all = mean[REGIONS] / frames;
 }
 
 /* ---- frames ---------------------------------------------------------------------------------- */

@@ -1,19 +1,25 @@
 /* plan.c - which runs each size is made of. */
+#include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "engine/check.h"
 #include "experiments/aspect-ratio-hopper/aspect.h"
+#include "experiments/study/side.h"
 
 /* `quick` is a hopper of a quarter of the width with 300 particles: it tests the study, and says
  * nothing of the source's hopper. */
+/* clang-format off */
 const aspect_size SIZES[4] = {
-    [STUDY_QUICK] = {"quick", 300, 0.125, 0.5, 4, {0, 1}, 0, 0, 0, false},
-    [STUDY_BRIEF] = {"brief", 5000, 0.5, 2, 14, {0, 1}, 0, 0, 0, true},
-    [STUDY_PUBLISHED] = {"published", 5000, 0.5, 2, 14, {1, 4}, 1, 0, 0, true},
-    [STUDY_FULL] = {"full", 5000, 0.5, 2, 14, {1, 10}, 3, 2, 1, true},
+    [STUDY_QUICK] = {"quick", 300, 0.125, 0.5, 4, {0, 1}, 0, 0, 0, 0, false},
+    [STUDY_BRIEF] = {"brief", 5000, 0.5, 2, 14, {0, 1}, 0, 0, 0, 0, true},
+    [STUDY_PUBLISHED] = {"published", 5000, 0.5, 2, 14, {1, 4}, 1, 1, 1, 20000, true},
+    [STUDY_FULL] = {"full", 5000, 0.5, 2, 14, {1, 10}, 3, 3, 2, 20000, true},
 };
+/* clang-format on */
 
 /* README.md, "The cheaper setting". */
 static const char *const SETTING[SETTINGS][2] = {
@@ -36,6 +42,8 @@ const variant VARIANTS[] = {
     {"grid at the start", "20 % wider", 0, {"tolerance=1.2"}, {NULL}},
     {"grid at the start", "no random shift", 1, {"jitter=0"}, {NULL}},
     {"depth of the chamber", "4 m", 1, {NULL}, {"chamber=4 m"}},
+    {"depth of the chamber", "4 m", 2, {NULL}, {"chamber=4 m"}},
+    {"depth of the chamber", "4 m", 3, {NULL}, {"chamber=4 m"}},
 };
 /* clang-format on */
 const int VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS;
@@ -52,6 +60,9 @@ static void set_common(job *j, const aspect_case *c) {
     job_set(j, "radius=%.9g mm", 1e3 * c->chain.radius);
     job_set(j, "spacing=%.9g mm", 1e3 * c->chain.spacing);
     job_set(j, "half_width=%g m", c->half_width);
+    /* as many dashpots as spheres that touch would be one more thing that differs between smooth
+     * and touching chains */
+    if (c->shape >= MAIN_SHAPES) job_set(j, "clump=shared");
 }
 
 static void set_setting(job *j, const aspect_case *c, const char *const *own) {
@@ -72,11 +83,19 @@ static void label(job *j, const aspect_case *c, const char *what) {
         if (*p == ' ') *p = '-';
 }
 
+/* m: of the grid and the domain. The grid of the longest chains is higher than those of the main
+ * shapes. */
+static double top_of(const aspect_study *s, const aspect_case *c) {
+    if (c->in_space) return 5;
+    return c->shape >= MAIN_SHAPES ? 1.5 * s->size->top : s->size->top;
+}
+
 /* s: the fall through the whole grid, and a second more. */
 static double consolidation(const aspect_study *s, const aspect_case *c) {
     double columns = floor(2 * c->half_width / (1.01 * chain_length(&c->chain)));
+    if (c->in_space) columns *= columns;
     double height = ceil(c->count / columns) * 1.01 * chain_length(&c->chain);
-    return 1 + sqrt(2 * fmin(height, s->size->top) / GRAVITY);
+    return 1 + sqrt(2 * fmin(height, top_of(s, c)) / GRAVITY);
 }
 
 static void plan_bed(aspect_study *s, aspect_case *c) {
@@ -86,10 +105,8 @@ static void plan_bed(aspect_study *s, aspect_case *c) {
     set_common(j, c);
     job_set(j, "length=%.9g mm", 1e3 * chain_length(&c->chain));
     job_set(j, "count=%d", c->count);
-    if (!c->in_space) {
-        job_set(j, "height=%g m", s->size->top);
-        job_set(j, "latest=%.3f s", consolidation(s, c));
-    }
+    if (!c->in_space) job_set(j, "height=%g m", top_of(s, c));
+    job_set(j, "latest=%.3f s", consolidation(s, c));
     job_set(j, "seed=%d", 1 + c->replicate);
     set_setting(j, c, VARIANTS[c->variant].bed);
     jobs_name(j, s->root);
@@ -104,7 +121,7 @@ static void plan_rest(aspect_study *s, aspect_case *c) {
     label(j, c, "rest");
     set_common(j, c);
     job_set(j, "bed=%s", c->bed_folder);
-    job_set(j, "top=%g m", s->size->top);
+    job_set(j, "top=%g m", top_of(s, c));
     const char *own[3] = {NULL};
     int n = 0;
     for (int i = 0; i < 3 && VARIANTS[c->variant].bed[i]; i++) {
@@ -119,7 +136,6 @@ static void plan_rest(aspect_study *s, aspect_case *c) {
 static void plan_case(aspect_study *s, aspect_case c) {
     CLAST_ASSERT(s->count < CASES_MAX);
     c.chain = chain_of(c.shape);
-    c.wave = s->waves;
     c.half_width = c.in_space ? 0.2 : s->size->half_width;
     c.chamber = c.in_space ? 1.5 : s->size->chamber;
     c.count = c.in_space ? 20000 : s->size->count;
@@ -129,21 +145,18 @@ static void plan_case(aspect_study *s, aspect_case c) {
     s->count++;
 }
 
-/* Cases of a wave are run side by side, one wave after the other: a study that is cut off has whole
- * cases. The dearest of a wave stands first: the last ones then end together. */
-static void plan_set(aspect_study *s, int setting, int replicate, int first, int count) {
-    for (int shape = first + count - 1; shape >= first; shape--)
+/* The dearest stands first: the last ones then end together. */
+static void plan_set(aspect_study *s, int setting, int replicate, int first, int last) {
+    for (int shape = last; shape >= first; shape--)
         plan_case(s, (aspect_case){.shape = shape, .setting = setting, .replicate = replicate});
-    s->waves++;
 }
 
-static void plan_variants(aspect_study *s, int replicate) {
-    for (int v = 1; v < VARIANT_COUNT; v++)
+static void plan_variants(aspect_study *s, int replicate, int first, int last) {
+    for (int v = first; v <= last; v++)
         plan_case(s, (aspect_case){.shape = VARIANTS[v].shape,
                                    .setting = CHEAP,
                                    .variant = v,
                                    .replicate = replicate});
-    s->waves++;
 }
 
 static void plan_in_space(aspect_study *s, int replicate) {
@@ -151,20 +164,29 @@ static void plan_in_space(aspect_study *s, int replicate) {
         plan_case(s,
                   (aspect_case){
                       .shape = shape, .setting = CHEAP, .replicate = replicate, .in_space = true});
-    s->waves++;
 }
 
+/* A study that is cut off has what matters most: the source's own, its replicates, shape against
+ * roughness (with touching chains of two that share a dashpot, variant 1, beside them), three
+ * dimensions, assumptions. */
 void aspect_plan(aspect_study *s) {
     const aspect_size *z = s->size;
+    const int smooth_five = SHAPES - 2;
     s->beds = calloc(CASES_MAX, sizeof *s->beds);
     s->rests = calloc(CASES_MAX, sizeof *s->rests);
     s->flows = calloc(CASES_MAX, sizeof *s->flows);
     if (!s->beds || !s->rests || !s->flows) abort();
-    for (int k = 0; k < z->replicates[CHEAP]; k++) plan_set(s, CHEAP, k, 0, MAIN_SHAPES);
-    for (int k = 0; k < z->replicates[THESIS]; k++) plan_set(s, THESIS, k, 0, MAIN_SHAPES);
-    for (int k = 0; k < z->variants; k++) plan_variants(s, k);
-    for (int k = 0; k < z->further; k++) plan_set(s, CHEAP, k, MAIN_SHAPES, SHAPES - MAIN_SHAPES);
+    for (int k = 0; k < z->replicates[THESIS]; k++) plan_set(s, THESIS, k, 0, MAIN_SHAPES - 1);
+    for (int k = 0; k < z->replicates[CHEAP]; k++) plan_set(s, CHEAP, k, 0, MAIN_SHAPES - 1);
+    for (int k = 0; k < z->further; k++) {
+        plan_set(s, CHEAP, k, SHAPES - 1, SHAPES - 1);
+        plan_set(s, CHEAP, k, MAIN_SHAPES, smooth_five - 1);
+        if (k < z->variants) plan_variants(s, k, 1, 1);
+    }
     for (int k = 0; k < z->in_space; k++) plan_in_space(s, k);
+    for (int k = 0; k < z->further; k++) plan_set(s, CHEAP, k, smooth_five, smooth_five);
+    for (int k = 0; k < z->variants; k++)
+        plan_variants(s, k, k < z->further ? 2 : 1, VARIANT_COUNT - 1);
 }
 
 static void plan_flow(aspect_study *s, int which) {
@@ -175,7 +197,7 @@ static void plan_flow(aspect_study *s, int which) {
     set_common(j, c);
     job_set(j, "bed=%s", c->rest_folder);
     job_set(j, "height=%.4f m", c->bed.height);
-    if (!c->in_space) job_set(j, "top=%g m", s->size->top);
+    if (!c->in_space) job_set(j, "top=%g m", top_of(s, c));
     bool own_chamber = false;
     for (int i = 0; i < 3 && VARIANTS[c->variant].flow[i]; i++) {
         const char *set = VARIANTS[c->variant].flow[i];
@@ -184,53 +206,63 @@ static void plan_flow(aspect_study *s, int which) {
         c->chamber = strtod(set + 8, NULL); /* m: the heap is measured from its ground */
     }
     if (!own_chamber) job_set(j, "chamber=%g m", c->chamber);
+    if (c->in_space) job_set(j, "latest=1.6 s"); /* the linear part is over */
     set_setting(j, c, VARIANTS[c->variant].flow);
     jobs_name(j, s->root);
     c->flow_folder = j->folder;
 }
 
-/* Runs those of the jobs whose case is marked, and marks those that were done. */
-static int run_marked(aspect_study *s, job *jobs, bool *marked, const char *what) {
-    static int of[CASES_MAX];
-    int count = 0;
-    job *list = calloc(CASES_MAX, sizeof *list);
-    CLAST_ASSERT(list);
-    for (int i = 0; i < s->count; i++)
-        if (marked[i]) of[count] = i, list[count++] = jobs[i];
-    int failed = jobs_run(list, count, jobs_processes(), what);
-    for (int i = 0; i < count; i++) {
-        marked[of[i]] = list[i].done;
-        jobs[of[i]].hash = list[i].hash;
+/* ---- running --------------------------------------------------------------------------------- */
+
+/* Variants of the flow alone have the bed of another case: whoever comes second waits for the
+ * first. The lock goes with the process. */
+static int lock_of(const char *folder) {
+    char path[JOB_FOLDER + 8];
+    snprintf(path, sizeof path, "%s.lock", folder);
+    int file = open(path, O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (file < 0 || flock(file, LOCK_EX)) {
+        perror(path);
+        exit(4);
     }
-    free(list);
-    return failed;
+    return file;
 }
 
-static int run_wave(aspect_study *s, int wave) {
-    bool here[CASES_MAX], layer[CASES_MAX];
-    for (int i = 0; i < s->count; i++) here[i] = s->cases[i].wave == wave;
-    int failed = run_marked(s, s->beds, here, "consolidation");
-    for (int i = 0; i < s->count; i++) layer[i] = here[i] && !s->cases[i].in_space;
-    failed += run_marked(s, s->rests, layer, "rest");
-    for (int i = 0; i < s->count; i++) {
-        here[i] = here[i] && (layer[i] || s->cases[i].in_space);
-        if (!here[i]) continue;
-        s->cases[i].has_bed = true;
-        bed_measure(&s->cases[i]);
-        plan_flow(s, i);
-    }
-    failed += run_marked(s, s->flows, here, "discharge");
-    for (int i = 0; i < s->count; i++) {
-        if (!here[i]) continue;
-        s->cases[i].ran = true;
-        flow_measure(&s->cases[i]);
-    }
-    return failed;
+static bool run_job(job *j, int processes) {
+    int lock = processes > 0 ? lock_of(j->folder) : -1;
+    jobs_run(j, 1, processes, NULL);
+    if (lock >= 0) close(lock);
+    return j->done;
+}
+
+/* Bed, rest and flow, one after the other; measures what there is. processes: 0 or 1. */
+static void run_case(aspect_study *s, int which, int processes) {
+    aspect_case *c = &s->cases[which];
+    if (!run_job(&s->beds[which], processes)) return;
+    if (!c->in_space && !run_job(&s->rests[which], processes)) return;
+    c->has_bed = true;
+    bed_measure(c);
+    plan_flow(s, which);
+    if (run_job(&s->flows[which], processes)) c->ran = true;
+}
+
+static void run_aside(const void *context, int index, void *result) {
+    aspect_study *s = (aspect_study *)context; /* what it changes, no other process sees */
+    run_case(s, index, 1);
+    *(bool *)result = s->cases[index].ran;
 }
 
 int aspect_run_all(aspect_study *s) {
+    static bool ran[CASES_MAX];
     int failed = 0;
-    for (int wave = 0; wave < s->waves; wave++) failed += run_wave(s, wave);
+    bool kept = getenv("CLAST_KEPT");
+    side_task task = {
+        .what = "aspect-ratio-hopper, cases", .work = run_aside, .context = s, .size = sizeof *ran};
+    if (!kept) side_by_side(&task, s->count, ran);
+    for (int i = 0; i < s->count; i++) {
+        run_case(s, i, 0);
+        if (s->cases[i].ran) flow_measure(&s->cases[i]);
+        failed += !kept && !s->cases[i].ran;
+    }
     return failed;
 }
 

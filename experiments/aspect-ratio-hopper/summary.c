@@ -44,6 +44,8 @@ FACT(ratio_centre, c->flow.ratio[1])
 FACT(ratio_right, c->flow.ratio[2])
 FACT(ratio_all, c->flow.ratio_all)
 FACT(ratio_sides, 0.5 * (c->flow.ratio[0] + c->flow.ratio[2]) - c->flow.ratio[1])
+FACT(mean_all, c->flow.ratio_mean_all)
+FACT(mean_sides, 0.5 * (c->flow.ratio_mean[0] + c->flow.ratio_mean[2]) - c->flow.ratio_mean[1])
 FACT(mean_left, c->flow.ratio_mean[0])
 FACT(mean_centre, c->flow.ratio_mean[1])
 FACT(mean_right, c->flow.ratio_mean[2])
@@ -99,6 +101,8 @@ const named_fact FACTS[] = {
     {"energy ratio left by particles", "log10", mean_left},
     {"energy ratio centre by particles", "log10", mean_centre},
     {"energy ratio right by particles", "log10", mean_right},
+    {"energy ratio by particles", "log10", mean_all},
+    {"energy ratio sides over centre by particles", "log10", mean_sides},
     {"shear angle", "deg", angle},
     {"steepness of the shear band", "deg", steepness},
     {"shear angle at 0.1 s", "deg", angle_first},
@@ -126,9 +130,8 @@ fact *fact_named(const char *name) {
 
 /* ---- replicates ------------------------------------------------------------------------------ */
 
-static interval over_cases(const aspect_study *s, int shape, int setting, int of_variant,
-                           fact *of) {
-    double value[REPLICATES_MAX];
+int values_at(const aspect_study *s, int shape, int setting, int of_variant, fact *of,
+              double value[REPLICATES_MAX]) {
     int n = 0;
     for (int i = 0; i < s->count && n < REPLICATES_MAX; i++) {
         const aspect_case *c = &s->cases[i];
@@ -138,7 +141,13 @@ static interval over_cases(const aspect_study *s, int shape, int setting, int of
         value[n] = of(c);
         n += isfinite(value[n]);
     }
-    return mean_interval(value, n);
+    return n;
+}
+
+static interval over_cases(const aspect_study *s, int shape, int setting, int of_variant,
+                           fact *of) {
+    double value[REPLICATES_MAX];
+    return mean_interval(value, values_at(s, shape, setting, of_variant, of, value));
 }
 
 interval over(const aspect_study *s, int shape, fact *of) {

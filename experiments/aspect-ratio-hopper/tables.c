@@ -37,34 +37,84 @@ static int write_runs(const aspect_study *s) {
     return output_close(f);
 }
 
-/* The same facts at the setting of the source and at the cheaper one, which has replicates. */
+static const char *unit_of(fact *of) {
+    for (int k = 0; k < FACT_COUNT; k++)
+        if (FACTS[k].of == of) return FACTS[k].unit;
+    return "";
+}
+
+/* The same facts at the setting of the source and at the cheaper one, which has replicates: is the
+ * source's run one that another replicate could be? */
 static int write_settings(const aspect_study *s) {
-    static const char *const SHOWN[] = {"bed height",
-                                        "solid fraction",
-                                        "co-ordination number",
-                                        "start-up delay",
-                                        "rate",
-                                        "energy ratio",
-                                        "shear angle",
-                                        "wall pulse",
-                                        "wall load",
-                                        "heap slope at 1.4 s",
-                                        "fastest particle at 1.4 s"};
     FILE *f = output_table(s->data, "settings.csv", "group,fact,unit,aspect,thesis,cheap,apart");
     if (!f) return 4;
-    for (size_t i = 0; i < sizeof SHOWN / sizeof *SHOWN; i++)
+    for (int i = 0; i < SETTING_FACT_COUNT && s->size->replicates[CHEAP] > 1; i++)
         for (int shape = 0; shape < MAIN_SHAPES; shape++) {
-            fact *of = fact_named(SHOWN[i]);
+            fact *of = fact_named(SETTING_FACTS[i].fact);
             interval thesis = at_thesis(s, shape, of), cheap = over(s, shape, of);
             if (thesis.n == 0 || cheap.n < 2) continue;
             char text[60];
-            const char *unit = "";
-            for (int k = 0; k < FACT_COUNT; k++)
-                if (FACTS[k].of == of) unit = FACTS[k].unit;
             interval_text(&cheap, text, sizeof text);
-            fprintf(f, "both,%s,%s,%d,%.4g,%s,%.1f\n", SHOWN[i], unit, shape + 1, thesis.mean, text,
-                    (thesis.mean - cheap.mean) / cheap.sd);
+            fprintf(f, "both,%s,%s,%d,%.4g,%s,%s\n", SETTING_FACTS[i].fact, unit_of(of), shape + 1,
+                    thesis.mean, text, stands_apart(cheap, thesis.mean) ? "yes" : "no");
         }
+    return output_close(f);
+}
+
+static int write_trends(const aspect_study *s) {
+    FILE *f = output_table(s->data, "trends.csv", "group,fact,unit,n,slope,p");
+    if (!f) return 4;
+    for (int i = 0; i < FACT_COUNT; i++) {
+        trend t = trend_of(s, FACTS[i].of);
+        if (!isfinite(t.half)) continue;
+        char text[60];
+        interval slope = {t.slope, NAN, t.half, t.n};
+        interval_text(&slope, text, sizeof text);
+        fprintf(f, "all,%s,%s,%d,%s,%.2g\n", FACTS[i].name, FACTS[i].unit, t.n, text, t.p);
+    }
+    return output_close(f);
+}
+
+/* What tells shape from roughness. */
+static int write_contrasts(const aspect_study *s) {
+    static const struct {
+        const char *fact;
+        bool relative;
+    } SHOWN[] = {{"solid fraction", true},
+                 {"co-ordination number", true},
+                 {"rate", true},
+                 {"fluctuation of the rate", true},
+                 {"energy ratio", false}};
+    FILE *f = output_table(s->data, "contrasts.csv", "fact,contrast,varied,runs,change,p");
+    if (!f) return 4;
+    for (size_t i = 0; i < sizeof SHOWN / sizeof *SHOWN; i++)
+        for (int k = 0; k < CONTRAST_COUNT; k++) {
+            contrasted c =
+                contrast_of(s, &CONTRASTS[k], fact_named(SHOWN[i].fact), SHOWN[i].relative);
+            if (!isfinite(c.half)) continue;
+            char text[60];
+            interval change = {c.change, NAN, c.half, c.a.n};
+            interval_text(&change, text, sizeof text);
+            fprintf(f, "%s,%s,%s,%d and %d,%s%s,%.2g\n", SHOWN[i].fact, CONTRASTS[k].name,
+                    CONTRASTS[k].what, c.a.n, c.b.n, text, SHOWN[i].relative ? " %" : "", c.p);
+        }
+    return output_close(f);
+}
+
+/* s of processor time; NAN where a run was done in pieces. */
+static int write_costs(const aspect_study *s) {
+    FILE *f = output_table(s->data, "costs.csv",
+                           "shape,setting,space,variant,replicate,bed_s,rest_s,flow_s");
+    if (!f) return 4;
+    for (int i = 0; i < s->count; i++) {
+        const aspect_case *c = &s->cases[i];
+        if (c->ran)
+            fprintf(f, "%s,%s,%d,%d,%d,%.4g,%.4g,%.4g\n", c->chain.name,
+                    c->setting == THESIS ? "thesis" : "cheap", c->in_space ? 3 : 2, c->variant,
+                    c->replicate + 1, jobs_processor_time(&s->beds[i]),
+                    c->in_space ? 0 : jobs_processor_time(&s->rests[i]),
+                    jobs_processor_time(&s->flows[i]));
+    }
     return output_close(f);
 }
 
@@ -89,10 +139,14 @@ static int write_moments(const aspect_study *s) {
 
 /* ---- variants -------------------------------------------------------------------------------- */
 
-static void put(FILE *f, interval ours) {
+/* With a star where a single run lies outside of what one more replicate would lie in. */
+static void put(FILE *f, interval ours, interval replicates) {
     char text[60];
     interval_text(&ours, text, sizeof text);
-    fprintf(f, ",%s", text);
+    if (ours.n == 1)
+        fprintf(f, ",%.4g%s", ours.mean, stands_apart(replicates, ours.mean) ? " *" : "");
+    else
+        fprintf(f, ",%s", text);
 }
 
 static void write_variant(FILE *f, const aspect_study *s, const char *assumption, const char *name,
@@ -105,8 +159,10 @@ static void write_variant(FILE *f, const aspect_study *s, const char *assumption
     if (first.n == 0) return;
     fprintf(f, "aspect %s,%s,%s,%d", chain_of(shape).name, assumption, name, first.n);
     for (size_t i = 0; i < sizeof SHOWN / sizeof *SHOWN; i++)
-        put(f, of_variant ? over_variant(s, of_variant, fact_named(SHOWN[i]))
-                          : over(s, shape, fact_named(SHOWN[i])));
+        put(f,
+            of_variant ? over_variant(s, of_variant, fact_named(SHOWN[i]))
+                       : over(s, shape, fact_named(SHOWN[i])),
+            over(s, shape, fact_named(SHOWN[i])));
     fprintf(f, "\n");
 }
 
@@ -116,7 +172,7 @@ static int write_variants(const aspect_study *s) {
                      "group,assumption,variant,n,solid_fraction,coordination,rate,angle,ratio,"
                      "heap");
     if (!f) return 4;
-    for (int shape = 0; shape < 2 && s->size->variants > 0; shape++) {
+    for (int shape = 0; shape < MAIN_SHAPES && s->size->variants > 0; shape++) {
         write_variant(f, s, "baseline", "", 0, shape);
         for (int v = 1; v < VARIANT_COUNT; v++)
             if (VARIANTS[v].shape == shape)
@@ -316,6 +372,7 @@ static int write_about(const aspect_study *s) {
 int aspect_write_tables(const aspect_study *s) {
     CLAST_ASSERT(s);
     int bad = write_facts(s) | write_runs(s) | write_settings(s) | write_moments(s);
+    bad |= write_trends(s) | write_contrasts(s) | write_costs(s);
     bad |= write_variants(s) | write_in_space(s) | write_timed(s) | write_pressure(s);
     bad |= write_heaps(s) | write_angles(s) | write_subcontacts(s) | write_about(s);
     return bad ? 4 : 0;

@@ -17,8 +17,8 @@ static int values_of(const aspect_study *s, int shape, fact *of, double *value) 
     return n;
 }
 
-double trend_p(const aspect_study *s, fact *of, int sign, int shapes) {
-    CLAST_ASSERT(shapes <= MAIN_SHAPES && (sign == 1 || sign == -1));
+/* Over the replicates of the first `shapes`. */
+static fitted_line line_over(const aspect_study *s, fact *of, int shapes) {
     double aspect[POINTS] = {0}, value[POINTS] = {0};
     int n = 0;
     for (int shape = 0; shape < shapes; shape++) {
@@ -26,9 +26,24 @@ double trend_p(const aspect_study *s, fact *of, int sign, int shapes) {
         for (int k = 0; k < more; k++) aspect[n + k] = chain_of(shape).aspect;
         n += more;
     }
-    fitted_line line = line_fit(aspect, value, n);
-    if (n < 3 || !(line.slope_error > 0)) return NAN;
-    return gsl_cdf_tdist_Q(sign * line.slope / line.slope_error, n - 2);
+    return line_fit(aspect, value, n);
+}
+
+double trend_p(const aspect_study *s, fact *of, int sign, int shapes) {
+    CLAST_ASSERT(shapes <= MAIN_SHAPES && (sign == 1 || sign == -1));
+    fitted_line line = line_over(s, of, shapes);
+    if (line.n < 3 || !(line.slope_error > 0)) return NAN;
+    return gsl_cdf_tdist_Q(sign * line.slope / line.slope_error, line.n - 2);
+}
+
+trend trend_of(const aspect_study *s, fact *of) {
+    fitted_line line = line_over(s, of, MAIN_SHAPES);
+    trend t = {NAN, NAN, NAN, line.n};
+    if (line.n < 3 || !(line.slope_error > 0)) return t;
+    t.slope = line.slope;
+    t.half = gsl_cdf_tdist_Pinv(0.975, line.n - 2) * line.slope_error;
+    t.p = 2 * gsl_cdf_tdist_Q(fabs(line.slope) / line.slope_error, line.n - 2);
+    return t;
 }
 
 /* Welch's test, one-sided. */

@@ -1,5 +1,6 @@
 /* verdicts.c - every number and sentence of A00 chapter 5, ours beside it. */
 #include <math.h>
+#include <string.h>
 
 #include "experiments/aspect-ratio-hopper/aspect.h"
 #include "experiments/study/published.h"
@@ -82,13 +83,29 @@ static bool is_full(const aspect_study *s, int shape, const char *level) {
     return over(s, shape, fact_named(level)).mean >= CHAMBER_FULL;
 }
 
-/* A full chamber ends the discharge within its linear part: the tail is not there to be seen. */
+/* The same in a deeper chamber; n = 0 without such a run. */
+static interval in_deep_chamber(const aspect_study *s, int shape, const char *name) {
+    for (int v = 1; v < VARIANT_COUNT; v++)
+        if (VARIANTS[v].shape == shape && !strcmp(VARIANTS[v].assumption, "depth of the chamber"))
+            return over_variant(s, v, fact_named(name));
+    return (interval){NAN, NAN, NAN, 0};
+}
+
+/* A full chamber ends the discharge within its linear part: the tail is not there to be seen. Then
+ * the run with the deeper one counts. */
 static void say_linear_parts(const court *c, const aspect_study *s) {
+    const char *level = "level of the heap at the end";
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
         char quantity[100];
         snprintf(quantity, sizeof quantity, "linear part of the discharge aspect %d", shape + 1);
-        say_where(c, quantity, over(s, shape, fact_named("linear part")),
-                  !is_full(s, shape, "level of the heap at the end"));
+        interval ours = over(s, shape, fact_named("linear part"));
+        bool room = !is_full(s, shape, level);
+        interval deep = in_deep_chamber(s, shape, "linear part");
+        if (!room && deep.n > 0) {
+            ours = deep;
+            room = in_deep_chamber(s, shape, level).mean < CHAMBER_FULL;
+        }
+        say_where(c, quantity, ours, room);
     }
 }
 
@@ -97,6 +114,7 @@ static void judge_flow(const court *c, const aspect_study *s) {
     say_linear_parts(c, s);
     say_each(c, s, "fastest particle at 1.4 s", "fastest particle at 1.4 s");
     say_each(c, s, "log10 of the energy ratio", "energy ratio");
+    say_each(c, s, "log10 of the energy ratio of a particle", "energy ratio by particles");
     say_each(c, s, "angle of the shear band", "shear angle");
     interval five = over(s, SHAPES - 1, fact_named("rate"));
     interval change = fall(over(s, 0, fact_named("rate")), five);
@@ -138,6 +156,14 @@ static void judge_trends(const court *c, const aspect_study *s) {
     judge_spheres(c, s, "P: spheres have the larger energy ratio right", "energy ratio right");
     say(c, "P: the energy ratio is smallest in the centre",
         interval_exact(positive_p(s, fact_named("energy ratio sides over centre"))));
+    judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle left",
+                  "energy ratio left by particles");
+    judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle centre",
+                  "energy ratio centre by particles");
+    judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle right",
+                  "energy ratio right by particles");
+    say(c, "P: the energy ratio of a particle is smallest in the centre",
+        interval_exact(positive_p(s, fact_named("energy ratio sides over centre by particles"))));
     judge_spheres(c, s, "P: the shear band of spheres is steeper", "steepness of the shear band");
     say(c, "P: side walls feel a stronger pulse of longer particles",
         interval_exact(spheres_above_p(s, no_pulse)));
@@ -148,6 +174,13 @@ static void judge_trends(const court *c, const aspect_study *s) {
               !is_full(s, 0, level) && !is_full(s, 1, level));
     judge_spheres(c, s, "P: tracked spheres turn more than longer particles",
                   "turned by tracked particles");
+}
+
+static void judge_settings(const court *c, const aspect_study *s) {
+    for (int i = 0; i < SETTING_FACT_COUNT; i++) {
+        interval apart = setting_difference(s, &SETTING_FACTS[i]);
+        if (apart.n == MAIN_SHAPES) say(c, SETTING_FACTS[i].row, apart);
+    }
 }
 
 /* What does not hang on one number alone, said all the same. */
@@ -190,6 +223,7 @@ int aspect_verdicts(const aspect_study *s, const char *path) {
     judge_bed(&c, s);
     judge_flow(&c, s);
     judge_trends(&c, s);
+    judge_settings(&c, s);
     print_readings(s);
     int code = verdict_finish(c.table, path, stdout);
     verdict_free(c.table);

@@ -130,6 +130,7 @@ static double seconds(void) {
 static void progress(const char *what, int done, int count, int fresh, double since) {
     double left = fresh > 0 ? (seconds() - since) / fresh * (count - done) : 0;
     bool terminal = isatty(1);
+    if (!what) return;
     if (!terminal && done != count && done % 5 != 0) return;
     printf("%s%s: %d of %d runs, %.0f s left%s", terminal ? "\r\033[K" : "", what, done, count,
            left, terminal && done != count ? "" : "\n");

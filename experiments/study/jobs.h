@@ -36,7 +36,8 @@ void job_set(job *j, const char *format, ...) __attribute__((format(printf, 2, 3
 void jobs_name(job *j, const char *root);
 
 /* Runs what is not finished yet, at most `processes` at a time, with a line of progress. Returns
- * the number of jobs that failed; their messages go to stderr and stay in <folder>.log. */
+ * the number of jobs that failed; their messages go to stderr and stay in <folder>.log. `what`
+ * NULL: no progress. 0 processes: nothing is started, `done` says what there is. */
 int jobs_run(job *jobs, int count, int processes, const char *what);
 
 /* Number of processors to use: CLAST_JOBS, else all of this machine. */

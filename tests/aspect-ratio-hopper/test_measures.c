@@ -217,6 +217,73 @@ static void a_track_is_turned_by_its_path(void **state) {
     assert_true(fabs(turned_by(&t) - 1.5) < 1e-15); /* up to where it leaves */
 }
 
+/* ---- runs beside one another ----------------------------------------------------------------- */
+
+static void add_case(aspect_study *s, int shape, int setting, int of_variant, double rate) {
+    aspect_case *c = &s->cases[s->count];
+    *c = (aspect_case){.shape = shape, .setting = setting, .variant = of_variant, .ran = true};
+    c->replicate = s->count++;
+    c->flow.rate = rate;
+}
+
+static void a_setting_differs_by_its_mean_over_the_shapes(void **state) {
+    (void)state;
+    static aspect_study s;
+    s = (aspect_study){.size = &SIZES[STUDY_PUBLISHED]};
+    static const double CHANGE[MAIN_SHAPES] = {1, -3, 2, 4}; /* % */
+    for (int shape = 0; shape < MAIN_SHAPES; shape++) {
+        double mean = 50 + 10 * shape;
+        add_case(&s, shape, CHEAP, 0, mean - 1), add_case(&s, shape, CHEAP, 0, mean + 1);
+        add_case(&s, shape, THESIS, 0, mean * (1 + CHANGE[shape] / 100));
+    }
+    const setting_fact rate = {"setting: rate", "rate", true};
+    interval apart = setting_difference(&s, &rate);
+    assert_int_equal(apart.n, MAIN_SHAPES);
+    assert_true(fabs(apart.mean - 1) < 1e-12);
+    assert_true(fabs(apart.half - 3.182446305 * apart.sd / 2) < 1e-6);
+}
+
+static void smooth_chains_have_the_scatter_of_the_others(void **state) {
+    (void)state;
+    static aspect_study s;
+    s = (aspect_study){.size = &SIZES[STUDY_PUBLISHED]};
+    add_case(&s, 0, CHEAP, 0, 98), add_case(&s, 0, CHEAP, 0, 102);    /* sd 2.83 % */
+    add_case(&s, 1, CHEAP, 0, 49.5), add_case(&s, 1, CHEAP, 0, 50.5); /* 1.41 % */
+    add_case(&s, 6, CHEAP, 0, 80);
+    const contrast shape = {"smooth 2 over spheres", "shape", {6, 0}, {0, 0}};
+    contrasted c = contrast_of(&s, &shape, fact_named("rate"), true);
+    assert_true(c.df == 2 && fabs(c.change + 20) < 1e-12);
+    double pooled = sqrt((8.0 + 2.0) / 2), error = 0.8 * pooled * sqrt(1 + 0.5);
+    assert_true(fabs(c.half - 4.302652730 * error) < 1e-6);
+    assert_true(c.p > 0.011 && c.p < 0.013); /* t = 9.13 of 2 */
+    const contrast none = {"smooth 5 over spheres", "shape", {7, 0}, {0, 0}};
+    assert_true(isnan(contrast_of(&s, &none, fact_named("rate"), true).half));
+}
+
+static void one_run_stands_apart_from_replicates(void **state) {
+    (void)state;
+    interval four = {100, 2, NAN, 4}; /* 3.18 * 2 * sqrt(1.25) = 7.12 */
+    assert_true(stands_apart(four, 107.2) && !stands_apart(four, 107.0));
+    assert_true(stands_apart(four, 92.8) && !stands_apart(four, NAN));
+    assert_false(stands_apart(interval_exact(1), 2));
+}
+
+/* Touching chains of two in space that turn about their own axis, and across it. */
+static void chains_in_space_turn_about_either_axis(void **state) {
+    (void)state;
+    aspect_case c = {.chain = chain_of(1), .half_width = 0.5, .in_space = true, .count = 1};
+    frame *f = lattice(1, 1, 0.01);
+    f->orientation = calloc(4, sizeof *f->orientation);
+    f->orientation[0] = f->orientation[3] = sqrt(0.5); /* x turned to y */
+    f->velocity[2] = 1;
+    double r = c.chain.radius;
+    f->spin[1] = 10;
+    assert_true(fabs(ratios_of(f, &c).summed[REGIONS] - 0.4 * r * r * 100) < 1e-12);
+    f->spin[1] = 0, f->spin[0] = 10;
+    assert_true(fabs(ratios_of(f, &c).summed[REGIONS] - 1.4 * r * r * 100) < 1e-12);
+    frame_free(f);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(particles_are_what_their_slices_are),
@@ -229,6 +296,10 @@ int main(void) {
         cmocka_unit_test(rolling_spheres_have_their_energy_ratio),
         cmocka_unit_test(janssen_goes_from_weight_to_friction),
         cmocka_unit_test(a_track_is_turned_by_its_path),
+        cmocka_unit_test(a_setting_differs_by_its_mean_over_the_shapes),
+        cmocka_unit_test(smooth_chains_have_the_scatter_of_the_others),
+        cmocka_unit_test(one_run_stands_apart_from_replicates),
+        cmocka_unit_test(chains_in_space_turn_about_either_axis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
