@@ -5,10 +5,12 @@
 
 #include "experiments/aspect-ratio-hopper/aspect.h"
 #include "experiments/aspect-ratio-hopper/studio.h"
+#include "experiments/study/pictures.h"
 
 enum { FILM_FRAMES = 400 };
-#define FLOWING 0.5 /* s, in the middle of the discharge */
-#define FASTEST 6.0 /* m/s, top of the scale of speed: the fall through the chamber */
+#define FLOWING  0.5 /* s, in the middle of the discharge */
+#define IN_SPACE 0.3
+#define FASTEST  6.0 /* m/s, top of the scale of speed: the fall through the chamber */
 
 /* Shown is what lies between these heights, in widths of the hopper. */
 static const double BED[2] = {-0.03, 3.2}, ALL[2] = {-2.02, 3.2}, LOWER[2] = {-0.05, 1.0};
@@ -95,6 +97,19 @@ static int film(const aspect_study *s, sheet sheet_of, const char *name) {
     return bad;
 }
 
+/* Three dimensions have no room on a sheet: one picture each, as the view of the scene has it. */
+static int space_pictures(const aspect_study *s) {
+    int bad = 0;
+    for (int i = 0; i < s->count; i++) {
+        const aspect_case *c = &s->cases[i];
+        char name[40];
+        if (!c->ran || !c->in_space || c->replicate > 0) continue;
+        snprintf(name, sizeof name, "space-%s", c->chain.name);
+        bad |= picture_still(CLAST_COMMAND, c->flow_folder, IN_SPACE, s->frames, name, "speed");
+    }
+    return bad;
+}
+
 int aspect_pictures(const aspect_study *s) {
     sheet base = {.panels = MAIN_SHAPES, .half_width = s->size->half_width, .panel_px = 400};
     for (int k = 0; k < MAIN_SHAPES; k++) base.titles[k] = chain_of(k).name;
@@ -111,7 +126,7 @@ int aspect_pictures(const aspect_study *s) {
     bad |= still(s, speed, SNAPSHOT, false, "snapshots");
     bad |= still(s, speed, FLOWING, false, "flowing");
     bad |= still(s, bands, SHEAR_TIME, false, "bands");
-    bad |= arch_picture(s);
+    bad |= arch_picture(s) | space_pictures(s);
     speed.panel_px = turned.panel_px = 200; /* of a film: it is looked at as a whole */
     if (s->size->films && !bad) bad = film(s, speed, "speed") | film(s, turned, "velocity-bands");
     return bad ? 4 : 0;

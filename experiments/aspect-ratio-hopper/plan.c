@@ -138,7 +138,7 @@ static void plan_case(aspect_study *s, aspect_case c) {
     c.chain = chain_of(c.shape);
     c.half_width = c.in_space ? 0.2 : s->size->half_width;
     c.chamber = c.in_space ? 1.5 : s->size->chamber;
-    c.count = c.in_space ? 20000 : s->size->count;
+    c.count = c.in_space ? s->size->space_count : s->size->count;
     s->cases[s->count] = c;
     plan_bed(s, &s->cases[s->count]);
     plan_rest(s, &s->cases[s->count]);
