@@ -43,8 +43,8 @@ static void name_list(const clast_world *w, contact_list *l, bool with_wall) {
 
 /* The shares' lists become the carried ones and are empty. */
 void carry_lists(clast_world *w) {
-    begin(w, 2 * w->threads);
-    for (int t = 0; t < w->threads; t++) {
+    begin(w, 2 * w->lists);
+    for (int t = 0; t < w->lists; t++) {
         share *s = &w->shares[t];
         name_list(w, &s->contacts, false);
         name_list(w, &s->walls, true);
@@ -55,7 +55,7 @@ void carry_lists(clast_world *w) {
 
 /* The records instead, which are gone afterwards. */
 void carry_records(clast_world *w) {
-    for (int t = 0; t < w->threads; t++)
+    for (int t = 0; t < w->lists; t++)
         entry_free(w, &w->shares[t].contacts), entry_free(w, &w->shares[t].walls);
     begin(w, 2);
     w->carry.list[0] = w->carry.list[1] = (contact_list){0};
@@ -78,6 +78,7 @@ static void place_entry(clast_world *w, contact_list *l, size_t k, bool with_wal
     l->b[k] = sphere_of(w, (uint32_t)l->b[k]);
     if (l->b[k] < 0) l->a[k] = -1; /* the contact ends with a body */
     if (l->a[k] > l->b[k]) entry_turn(w, l, k);
+    if (l->a[k] >= (int32_t)w->sphere_count) l->a[k] = -1; /* of two ghosts */
 }
 
 static void make_places(clast_world *w, size_t entries) {

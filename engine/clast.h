@@ -188,6 +188,7 @@ typedef struct clast_world_def {
 
     double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
     int threads;   /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
+    bool alone;    /* among several processes: this one keeps the world for itself */
     clast_isa isa; /* vector lanes; never observable */
     clast_precision precision;
     bool turn_spheres; /* keep track of the orientation of single spheres, which only drawings of
@@ -493,6 +494,7 @@ typedef struct clast_bodies {
     const double *vx, *vy, *vz;      /* m/s */
     const double *wx, *wy, *wz;      /* rad/s, world frame */
     const double *mass;              /* kg */
+    const int32_t *rank;     /* number of the process that has it; NULL in a world of one */
     const int32_t *image[3]; /* along a periodic axis, else NULL: times that the body has left by
                                 the upper face less those by the lower one. Position plus image
                                 times length is a track without jumps */
@@ -614,6 +616,10 @@ typedef struct clast_counters {
     uint64_t linear_iterations;              /* in all */
     uint64_t unconverged;                    /* steps in which Newton's method did not converge */
     uint64_t guard_trips;                    /* failures that `report` let pass */
+    size_t ghosts;                           /* of other processes here, now */
+    uint64_t ghosts_sent;                    /* rows of bodies to other processes, so far */
+    uint64_t messages, message_bytes;        /* that this process sent them in steps, so far */
+    uint64_t divisions, migrated;            /* of the world among processes; bodies that went */
 } clast_counters;
 
 clast_counters clast_world_counters(const clast_world *w);
@@ -685,6 +691,25 @@ clast_status clast_checkpoint_inherit(clast_world *w, const char *path);
 /* One frame (bodies, element spheres, contacts if asked) as group "/" of a new HDF5 file,
  * atomically. */
 clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts);
+
+/* ---- many processes -----------------------------------------------------------------------------
+ * Started by mpirun, all processes build the same world, which is then divided among them: every
+ * process calls the same functions in the same order. All answers are those of the whole world, on
+ * every process, and have the same bits as one process gives; files are written by the first one.
+ * (What a process counts and takes its time for is its own: clast_world_counters().) */
+
+/* Before the first world; in the library clast_ranks. CLAST_ERR_ARGUMENT, after a message on the
+ * error stream, where there are several processes and this build knows no MPI. */
+clast_status clast_ranks_begin(void);
+void clast_ranks_end(void);
+
+int clast_ranks_number(void); /* of this process, 0 for the first; 0 without clast_ranks_begin() */
+int clast_ranks_count(void);  /* 1 without clast_ranks_begin() */
+
+/* The largest of what the processes say. All have to ask. */
+double clast_ranks_most(double value);
+/* What the first one says to all. */
+void clast_ranks_tell(void *bytes, size_t size);
 
 /* ---- helpers that scenes and studies need, with the engine's own bits ---------------- */
 

@@ -5,7 +5,7 @@
 
 #include "engine/parallel.h"
 #include "engine/periodic.h"
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 /* ---- passes ---------------------------------------------------------------------------------- */
 
@@ -16,7 +16,8 @@ typedef struct pass_order {
 
 static void run_share(void *context, int thread) {
     const pass_order *o = context;
-    o->w->contact_kernel(o->w, &o->w->shares[thread], o->mode);
+    for (int t = thread; t < o->w->lists; t += o->w->threads)
+        o->w->contact_kernel(o->w, &o->w->shares[t], o->mode);
 }
 
 static void run_pass(clast_world *w, contact_mode mode) {
@@ -26,14 +27,51 @@ static void run_pass(clast_world *w, contact_mode mode) {
     parallel_run(w->threads, run_share, &o);
 }
 
+/* ---- what it found ---------------------------------------------------------------------------
+ * All sums are exact, so the order of threads and processes does not matter; the totals grow step
+ * by step. */
+
+enum { SUM_ELASTIC, SUM_DASHPOT, SUM_GLOBAL, SUM_CONTACT, SUM_UNWRAPPED, SUMS };
+
+/* Of all threads: PASS_NUMBERS and those of the parts. */
+static void merge_threads(clast_world *w) {
+    double *record = w->pass_record, overlap = 0, contacts = 0;
+    exact_sum *sums = (exact_sum *)(record + 1);
+    sums[SUM_ELASTIC] = sums[SUM_DASHPOT] = (exact_sum){0, 0};
+    sums[SUM_GLOBAL] = w->found.global, sums[SUM_CONTACT] = w->found.contact;
+    sums[SUM_UNWRAPPED] = w->found.unwrapped;
+    for (int t = 0; t < w->threads; t++) {
+        const contact_tally *tally = &w->shares[t].contact_tally;
+        sum_merge(&sums[SUM_ELASTIC], &tally->elastic);
+        sum_merge(&sums[SUM_DASHPOT], &tally->dashpot);
+        contacts += (double)tally->contacts;
+        overlap = tally->overlap_max > overlap ? tally->overlap_max : overlap;
+    }
+    record[0] = overlap, record[PASS_NUMBERS - 1] = contacts;
+}
+
+static void merge_pushes(clast_world *w) {
+    size_t parts = w->special.pushing ? (size_t)w->part_count : 0;
+    double *all = w->pass_record + PASS_NUMBERS;
+    memset(all, 0, parts * PART_NUMBERS * sizeof *all);
+    for (int t = 0; t < w->threads; t++) {
+        const double *one = (const double *)w->shares[t].pushes;
+        for (size_t k = 0; k < parts * PART_NUMBERS; k++) all[k] += one[k];
+    }
+}
+
+static void merge_pass(clast_world *w) {
+    _Static_assert(PASS_NUMBERS == 2 + 2 * SUMS, "overlap, sums, contacts");
+    int parts = w->special.pushing ? w->part_count : 0;
+    merge_threads(w);
+    merge_pushes(w);
+    ranks_reduce(w, w->pass_record, 1, PASS_NUMBERS - 1 + parts * (int)PART_NUMBERS);
+}
+
 /* What a part does to the bodies, at the forces of the last pass. */
 static part_push push_of(const clast_world *w, int part_index) {
-    part_sums all = {.belt = {0, 0}};
-    for (int t = 0; t < w->threads; t++) {
-        const part_sums *s = &w->shares[t].pushes[part_index];
-        for (int k = 0; k < 3; k++) sum_merge(&all.force[k], &s->force[k]);
-        sum_merge(&all.moment, &s->moment), sum_merge(&all.belt, &s->belt);
-    }
+    part_sums all;
+    memcpy(&all, w->pass_record + PASS_NUMBERS + (size_t)part_index * PART_NUMBERS, sizeof all);
     vec3 force = v3(sum_value(&all.force[0]), sum_value(&all.force[1]), sum_value(&all.force[2]));
     return (part_push){force, sum_value(&all.moment), sum_value(&all.belt)};
 }
@@ -60,28 +98,26 @@ static void book_parts(clast_world *w) {
     w->ledger.wall_input += fabs(all);
 }
 
-/* The sums are exact, so the order of the threads does not matter; the totals grow step by step. */
-static void book_contacts(clast_world *w) {
-    exact_sum elastic = {0, 0}, dashpot = {0, 0};
-    size_t contacts = 0;
-    double overlap = 0;
-    for (int t = 0; t < w->threads; t++) {
-        const contact_tally *tally = &w->shares[t].contact_tally;
-        sum_merge(&elastic, &tally->elastic);
-        sum_merge(&dashpot, &tally->dashpot);
-        contacts += tally->contacts;
-        overlap = tally->overlap_max > overlap ? tally->overlap_max : overlap;
-    }
-    w->ledger.elastic += sum_value(&elastic);
-    w->ledger.dashpot += sum_value(&dashpot);
-    w->counters.contacts = contacts;
-    w->overlap_now = overlap;
-    if (overlap > w->counters.overlap_max) w->counters.overlap_max = overlap;
+static void book_bodies_and_contacts(clast_world *w) {
+    ledger *l = &w->ledger;
+    const double *record = w->pass_record;
+    const exact_sum *sums = (const exact_sum *)(record + 1);
+    l->elastic += sum_value(&sums[SUM_ELASTIC]);
+    l->dashpot += sum_value(&sums[SUM_DASHPOT]);
+    l->global += sum_value(&sums[SUM_GLOBAL]);
+    l->work += sum_value(&sums[SUM_CONTACT]);
+    l->unwrapped += sum_value(&sums[SUM_UNWRAPPED]);
+    w->found.global = w->found.contact = w->found.unwrapped = (exact_sum){0, 0};
+    w->counters.contacts = (size_t)record[PASS_NUMBERS - 1];
+    w->overlap_now = record[0];
+    if (w->overlap_now > w->counters.overlap_max) w->counters.overlap_max = w->overlap_now;
 }
 
+/* At the end of a step: what bodies and contacts have done in it is booked. */
 void contacts_evaluate(clast_world *w) {
     run_pass(w, CONTACTS_ADVANCE);
-    book_contacts(w);
+    merge_pass(w);
+    book_bodies_and_contacts(w);
     book_parts(w);
 }
 
@@ -89,6 +125,7 @@ void contacts_evaluate(clast_world *w) {
 void contacts_restore(clast_world *w) {
     loads_clear(w);
     run_pass(w, CONTACTS_AGAIN);
+    merge_pass(w);
     for (int i = 0; i < w->part_count && w->special.pushing; i++) w->parts[i].push = push_of(w, i);
 }
 
@@ -100,7 +137,7 @@ static void visit_list(const clast_world *w, const contact_list *l, bool with_wa
         if (contact_touches(w, l, k)) visit(w, &(contact_place){l, k, with_wall}, context);
 }
 
-/* Touching contacts, in no order. */
+/* Touching contacts that are booked here, in no order. */
 void contacts_visit(const clast_world *w, contact_visitor *visit, void *context) {
     for (int t = 0; t < w->threads; t++) {
         visit_list(w, &w->shares[t].contacts, false, visit, context);
@@ -114,7 +151,7 @@ static void forget_springs(clast_world *w, contact_list *l) {
 
 /* Where friction ends, its springs do. */
 void contacts_forget_springs(clast_world *w) {
-    for (int t = 0; t < w->threads; t++) {
+    for (int t = 0; t < w->lists; t++) {
         forget_springs(w, &w->shares[t].contacts);
         forget_springs(w, &w->shares[t].walls);
     }
@@ -174,6 +211,7 @@ static void add_energy(const clast_world *w, const contact_place *at, void *cont
 stored_energy contacts_stored_energy(const clast_world *w) {
     energy_sums sums = {{0, 0}, {0, 0}};
     contacts_visit(w, add_energy, &sums);
+    ranks_sum(w, &sums.normal, 2);
     return (stored_energy){sum_value(&sums.normal), sum_value(&sums.tangential)};
 }
 
@@ -226,21 +264,34 @@ static size_t read_list(const clast_world *w, const contact_list *l, const conta
     return count;
 }
 
-/* The contacts that touch, by a pass that changes nothing. */
+static size_t read_lists(clast_world *w, contact_reading *to) {
+    size_t count = 0;
+    for (int t = 0; t < w->lists; t++) {
+        share *s = &w->shares[t];
+        if (!s->across) {
+            count += read_list(w, &s->contacts, s->report, false, to + count);
+            count += read_list(w, &s->walls, s->wall_report, true, to + count);
+        }
+        drop_reports(s);
+    }
+    return count;
+}
+
+/* The contacts that touch, all of the world, by a pass that changes nothing. */
 size_t contacts_read(clast_world *w, contact_reading **readings) {
-    size_t room = 1, count = 0;
-    for (int t = 0; t < w->threads; t++) {
+    size_t room = 1, count;
+    for (int t = 0; t < w->lists; t++) {
         make_reports(&w->shares[t]);
         room += w->shares[t].contacts.count + w->shares[t].walls.count;
     }
     run_pass(w, CONTACTS_REPORT);
     *readings = malloc(room * sizeof **readings);
     CLAST_ASSERT(*readings);
-    for (int t = 0; t < w->threads; t++) {
-        share *s = &w->shares[t];
-        count += read_list(w, &s->contacts, s->report, false, *readings + count);
-        count += read_list(w, &s->walls, s->wall_report, true, *readings + count);
-        drop_reports(s);
+    count = read_lists(w, *readings);
+    if (w->ranks) {
+        contact_reading *own = *readings;
+        *readings = ranks_gather(w, own, count, sizeof *own, &count);
+        free(own);
     }
     if (count > 1) qsort(*readings, count, sizeof **readings, by_record);
     return count;

@@ -3,6 +3,7 @@
 
 #include "engine/flow.h"
 #include "engine/geometry.h"
+#include "engine/ranks.h"
 #include "engine/facets.h"
 #include "engine/world.h"
 
@@ -56,16 +57,16 @@ static void describe_pair(const clast_world *w, const contact_record *r, char *t
 }
 
 static clast_status overlap_failure(clast_world *w) {
-    char who[512], what[1024];
+    char who[512] = "", what[1024];
     worst found = {.overlap = -1};
     contacts_visit(w, find_worst, &found);
-    if (found.overlap < 0) return trip(w, "a contact force is not a number");
-    describe_pair(w, &found.record, who, sizeof who);
+    if (found.overlap >= 0) describe_pair(w, &found.record, who, sizeof who);
     const history *h = &found.record.history;
     snprintf(what, sizeof what,
              "overlap %.3g mm, %.3g of the smaller radius (limit %.3g), force %.3g N: %s",
              1e3 * h->overlap, found.overlap, w->def.max_overlap, h->normal, who);
-    return trip(w, what);
+    ranks_elect(w, &found.overlap, what, sizeof what);
+    return trip(w, found.overlap < 0 ? "a contact force is not a number" : what);
 }
 
 /* ---- motion ---------------------------------------------------------------------------------- */
@@ -82,13 +83,14 @@ static clast_status motion_failure(clast_world *w) {
         double bound = w->shapes[b->shape[i]].bound, speed = sqrt(v2) + sqrt(s2) * bound;
         if (!(speed <= most)) most = speed == speed ? speed : INFINITY, who = i;
     }
-    if (most * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
-    char name[256], what[512];
-    describe_body(w, who, name, sizeof name);
+    char name[256] = "", what[512];
+    if (most >= 0) describe_body(w, who, name, sizeof name);
     snprintf(what, sizeof what,
              "a sphere moves %.3g mm in one step (limit %.3g of the smallest radius"
              " %.3g mm): %s",
              1e3 * most * w->dt, w->def.max_displacement, 1e3 * w->smallest_radius, name);
+    ranks_elect(w, &most, what, sizeof what);
+    if (most * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
     return trip(w, what);
 }
 
@@ -122,7 +124,9 @@ clast_status guards_check_energy(clast_world *w) {
     clast_energy e = clast_world_energy(w);
     double floor_energy = 0;
     for (int s = 0; s < w->shape_count; s++) floor_energy = fmax(floor_energy, w->shapes[s].mass);
-    floor_energy *= (double)w->bodies.count * v3_norm(w->def.gravity) * w->smallest_radius;
+    double bodies = (double)w->bodies.count;
+    ranks_reduce(w, &bodies, 0, 1);
+    floor_energy *= bodies * v3_norm(w->def.gravity) * w->smallest_radius;
     double input = fmax(e.input, floor_energy);
     char what[256];
     double made = fmin(e.damping, e.friction);
@@ -157,26 +161,40 @@ clast_status guards_check(clast_world *w) {
 
 /* ---- outside --------------------------------------------------------------------------------- */
 
+/* The lowest id above `after` of an own body outside the domain, or UINT32_MAX. */
+static uint32_t next_outside(const clast_world *w, uint32_t from) {
+    for (uint32_t id = from; id < w->next_id; id++) {
+        int32_t slot = w->slot_of_id[id];
+        bool own = slot >= 0 && (size_t)slot < w->bodies.count;
+        if (own && outlet_of(w, (size_t)slot) == CLAST_OUTLET_DOMAIN) return id;
+    }
+    return UINT32_MAX;
+}
+
 /* Bodies that left the domain end the run or, where the scene says so, leave it: lowest id first,
  * so that the books do not depend on the order of storage. */
 clast_status guards_outside(clast_world *w) {
     if (w->def.outside != CLAST_OUTSIDE_STOP) return CLAST_OK;
-    for (uint32_t id = 0; id < w->next_id; id++) {
-        int32_t slot = w->slot_of_id[id];
-        if (slot < 0 || outlet_of(w, (size_t)slot) != CLAST_OUTLET_DOMAIN) continue;
-        char who[256], what[320];
-        describe_body(w, (size_t)slot, who, sizeof who);
+    for (uint32_t id = 0;; id++) {
+        char who[256] = "", what[320];
+        id = next_outside(w, id);
+        if (id != UINT32_MAX) describe_body(w, (size_t)w->slot_of_id[id], who, sizeof who);
         snprintf(what, sizeof what, "outside the domain: %s", who);
+        double first = -(double)id;
+        ranks_elect(w, &first, what, sizeof what);
+        id = (uint32_t)-first;
+        if (id == UINT32_MAX) return CLAST_OK;
         clast_status s = trip(w, what);
         if (s) return s;
     }
-    return CLAST_OK;
 }
 
 /* ---- the start ------------------------------------------------------------------------------- */
 
-static int complain_of_outside(clast_world *w) {
+/* Of how many bodies. Begins the message. */
+int guards_complain_of_outside(clast_world *w) {
     int faults = 0;
+    w->error[0] = '\0';
     for (uint32_t id = 0; id < w->next_id; id++) {
         int32_t slot = w->slot_of_id[id];
         if (slot < 0 || !body_is_outside(w, (size_t)slot)) continue;
@@ -237,11 +255,13 @@ static int complain_of_overlaps(clast_world *w) {
     return faults;
 }
 
-/* Needs a built pair list. */
-clast_status guards_check_start(clast_world *w) {
-    w->error[0] = '\0';
-    int faults = complain_of_outside(w) + complain_of_overlaps(w);
+/* Needs built lists; `faults` have been complained of. The process with the most faults speaks. */
+clast_status guards_check_start(clast_world *w, int faults) {
+    double overlaps = complain_of_overlaps(w), all = overlaps;
+    ranks_reduce(w, &all, 0, 1);
+    faults += (int)all;
     if (faults == 0) return CLAST_OK;
+    ranks_elect(w, &overlaps, w->error, sizeof w->error);
     if (faults > NAMED) world_complain(w, "... %d faults in all", faults);
     return CLAST_ERR_ARGUMENT;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "engine/flow.h"
+#include "engine/ranks.h"
 
 static const uint64_t START = 0xcbf29ce484222325u;
 
@@ -65,6 +66,7 @@ uint64_t clast_world_hash(const clast_world *w) {
     uint64_t sums[2] = {0, 0}; /* bodies, contacts */
     for (size_t i = 0; i < w->bodies.count; i++) sums[0] += hash_of_body(w, i);
     contacts_visit(w, add_contact, &sums[1]);
+    ranks_add_words(w, sums, 2);
     uint64_t h = mix_double(mix(START, w->step), w->dt);
     h = mix(mix(h, sums[0]), sums[1]);
     for (int i = 0; i < w->part_count; i++) h = mix_double(h, w->parts[i].work_total);

@@ -14,6 +14,7 @@
 #include "engine/flow.h"
 #include "engine/numbers.h"
 #include "engine/part.h"
+#include "engine/ranks.h"
 
 /* Gravity against the lowest corner of the domain. */
 static double gravity_of(const clast_world *w) {
@@ -23,6 +24,7 @@ static double gravity_of(const clast_world *w) {
         double mass = w->shapes[w->bodies.shape[i]].mass;
         sum_add(&sum, &w->ledger.scale, -mass * v3_dot(above, w->def.gravity));
     }
+    ranks_sum(w, &sum, 1);
     return sum_value(&sum);
 }
 
@@ -41,6 +43,7 @@ static void find_largest(const clast_world *w, const contact_place *at, void *co
 static double elastic_bound(const clast_world *w) {
     largest l = {0, 0};
     contacts_visit(w, find_largest, &l);
+    ranks_reduce(w, &l.energy, 1, 1);
     return l.energy * l.count;
 }
 
@@ -48,6 +51,7 @@ static double elastic_bound(const clast_world *w) {
 static double mass_of_all(clast_world *w) {
     double mass = 0, *count = memory_grow(w, NULL, 0, (size_t)w->shape_count, sizeof *count);
     for (size_t i = 0; i < w->bodies.count; i++) count[w->bodies.shape[i]]++;
+    ranks_reduce(w, count, 0, w->shape_count);
     for (int s = 0; s < w->shape_count; s++) mass += count[s] * w->shapes[s].mass;
     memory_release(count), memory_return(w, (size_t)w->shape_count * sizeof *count);
     return mass;
@@ -63,6 +67,7 @@ static double fastest_body(const clast_world *w) {
         double s2 = v3_dot(spin, spin), arm = w->shapes[b->shape[i]].bound;
         if (v2 + s2 * arm * arm > fastest2) fastest2 = v2 + s2 * arm * arm;
     }
+    ranks_reduce(w, &fastest2, 1, 0);
     return fastest2;
 }
 

@@ -4,7 +4,7 @@
 
 #include "engine/body_lanes.h"
 #include "engine/parallel.h"
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 static turning turning_of(const clast_world *w) {
     if (w->def.motion == CLAST_MOTION_IN_PLANE) return TURN_IN_PLANE;
@@ -79,22 +79,19 @@ static void advance_share(void *context, int thread) {
     w->body_kernel(w, &w->shares[thread]);
 }
 
-/* From x(n), v(n-1/2), loads(n) to x(n+1), v(n+1/2) and rows; the loads are empty afterwards. */
+/* From x(n), v(n-1/2), loads(n) to x(n+1), v(n+1/2) and rows; the loads are empty afterwards. What
+ * it found is booked with the contacts. */
 void bodies_advance(clast_world *w) {
     parallel_run(w->threads, advance_share, w);
-    exact_sum global = {0, 0}, contact = {0, 0}, unwrapped = {0, 0};
     w->found = (body_tally){.way = 0};
     for (int t = 0; t < w->threads; t++) {
         const body_tally *b = &w->shares[t].body_tally;
-        sum_merge(&global, &b->global);
-        sum_merge(&contact, &b->contact);
-        sum_merge(&unwrapped, &b->unwrapped);
+        sum_merge(&w->found.global, &b->global);
+        sum_merge(&w->found.contact, &b->contact);
+        sum_merge(&w->found.unwrapped, &b->unwrapped);
         w->found.outside |= b->outside;
         if (b->way > w->found.way) w->found.way = b->way;
     }
-    w->ledger.global += sum_value(&global);
-    w->ledger.work += sum_value(&contact);
-    w->ledger.unwrapped += sum_value(&unwrapped);
 }
 
 static void store_half_step(clast_world *w, size_t i, vec3 v, vec3 l) {
@@ -173,7 +170,8 @@ static motion_books plain_balance(const clast_world *w) {
  * would be off by the square of the kick). */
 motion_books motion_balance(const clast_world *w) {
     if (w->integrator) return plain_balance(w);
-    exact_sum kinetic = {0, 0}, rotational = {0, 0}, global = {0, 0}, work = {0, 0};
+    enum { KINETIC, ROTATIONAL, GLOBAL, WORK, SUMS };
+    exact_sum sums[SUMS] = {{0, 0}};
     const sum_scale *scale = &w->ledger.scale;
     for (size_t i = 0; i < w->bodies.count; i++) {
         kick k = kick_of(w, i);
@@ -185,11 +183,12 @@ motion_books motion_balance(const clast_world *w) {
         vec3 after = spin_of(turn, m.q, k.momentum, inverse);
         vec3 before = spin_of(turn, m.q, m.l, inverse);
         double mass = w->shapes[w->bodies.shape[i]].mass;
-        sum_add(&kinetic, scale, 0.5 * mass * v3_dot(m.v, k.velocity));
-        sum_add(&rotational, scale, 0.5 * v3_dot(m.l, after));
-        sum_add(&global, scale, 0.5 * k.global_loss);
-        sum_add(&work, scale, 0.5 * w->dt * (v3_dot(force, m.v) + v3_dot(torque, before)));
+        sum_add(&sums[KINETIC], scale, 0.5 * mass * v3_dot(m.v, k.velocity));
+        sum_add(&sums[ROTATIONAL], scale, 0.5 * v3_dot(m.l, after));
+        sum_add(&sums[GLOBAL], scale, 0.5 * k.global_loss);
+        sum_add(&sums[WORK], scale, 0.5 * w->dt * (v3_dot(force, m.v) + v3_dot(torque, before)));
     }
-    return (motion_books){sum_value(&kinetic), sum_value(&rotational), sum_value(&global),
-                          sum_value(&work)};
+    ranks_sum(w, sums, SUMS);
+    return (motion_books){sum_value(&sums[KINETIC]), sum_value(&sums[ROTATIONAL]),
+                          sum_value(&sums[GLOBAL]), sum_value(&sums[WORK])};
 }

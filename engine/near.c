@@ -7,6 +7,7 @@
 #include "engine/geometry.h"
 #include "engine/parallel.h"
 #include "engine/periodic.h"
+#include "engine/ranks.h"
 #include "engine/facets.h"
 #include "engine/world.h"
 
@@ -89,9 +90,11 @@ typedef struct column_order {
 
 static void fill_share(void *context, int thread) {
     const column_order *o = context;
-    share *s = &o->w->shares[thread];
-    fill_column(o->w, &s->contacts, &s->found[0], o->column);
-    fill_column(o->w, &s->walls, &s->found[1], o->column);
+    for (int t = thread; t < o->w->lists; t += o->w->threads) {
+        share *s = &o->w->shares[t];
+        fill_column(o->w, &s->contacts, &s->found[0], o->column);
+        fill_column(o->w, &s->walls, &s->found[1], o->column);
+    }
 }
 
 static void forget_found(clast_world *w, found_list *f) {
@@ -107,7 +110,7 @@ static void take_histories(clast_world *w) {
         parallel_run(w->threads, fill_share, &o);
         carry_drop_column(w, k);
     }
-    for (int t = 0; t < w->threads; t++) {
+    for (int t = 0; t < w->lists; t++) {
         forget_found(w, &w->shares[t].found[0]);
         forget_found(w, &w->shares[t].found[1]);
     }
@@ -190,32 +193,55 @@ static void refresh_share(clast_world *w, share *s) {
 
 /* ---- loads that reach beyond the share ------------------------------------------------------- */
 
-static void reserve_overhang(clast_world *w, share *s) {
-    size_t last = s->body_end;
+/* The last body that a share loads, and one more: of all, and of those that are this process' own.
+ */
+typedef struct beyond {
+    size_t own, all;
+} beyond;
+
+static void look_beyond(const clast_world *w, const share *s, beyond *last) {
     for (size_t k = 0; k < s->reach.count; k++) {
-        size_t body = body_of_sphere(w, (size_t)s->reach.partner[k]);
-        last = body + 1 > last ? body + 1 : last;
+        size_t body = body_of_sphere(w, (size_t)s->reach.partner[k]) + 1;
+        last->all = body > last->all ? body : last->all;
+        if (body <= w->bodies.count && body > last->own) last->own = body;
     }
-    s->overhang_count = last - s->body_end;
-    if (s->overhang_count <= s->overhang_capacity) return;
-    size_t now = s->overhang_count + s->overhang_count / 4;
-    s->overhang = memory_lines(w, s->overhang, s->overhang_capacity * sizeof *s->overhang,
-                               now * sizeof *s->overhang);
-    s->overhang_capacity = now;
+}
+
+/* Loads of ghosts stand behind those of own bodies, and nobody reads them. */
+static void reserve_overhang(clast_world *w, share *s, share *across) {
+    beyond last = {s->body_end, s->body_end};
+    look_beyond(w, s, &last);
+    if (across) look_beyond(w, across, &last);
+    s->overhang_count = last.own - s->body_end;
+    size_t need = last.all - s->body_end;
+    if (need > s->overhang_capacity) {
+        size_t now = need + need / 4;
+        s->overhang = memory_lines(w, s->overhang, s->overhang_capacity * sizeof *s->overhang,
+                                   now * sizeof *s->overhang);
+        s->overhang_capacity = now;
+    } else if (across && s->overhang) {
+        memset(s->overhang, 0, s->overhang_capacity * sizeof *s->overhang); /* no ghost's */
+    }
+    if (across) across->overhang = s->overhang;
 }
 
 /* ---- the whole ------------------------------------------------------------------------------- */
 
-static void rebuild_share(void *context, int thread) {
-    clast_world *w = context;
-    share *s = &w->shares[thread];
+static void rebuild_list(clast_world *w, share *s) {
     reach_build(w, s);
     find_contacts(w, s);
     adopt(w, &s->contacts, &s->found[0]);
     adopt(w, &s->walls, &s->found[1]);
-    if (w->threads > 1) reserve_overhang(w, s);
     facets_reserve(w, s);
     shared_group(w, s);
+}
+
+static void rebuild_share(void *context, int thread) {
+    clast_world *w = context;
+    share *s = &w->shares[thread], *across = w->ranks ? s + w->threads : NULL;
+    rebuild_list(w, s);
+    if (across) rebuild_list(w, across);
+    if (w->threads > 1 || across) reserve_overhang(w, s, across);
 }
 
 /* Steps between two rebuilds or refreshes, and the share of a radius that suits them: what is done
@@ -239,8 +265,9 @@ void lists_rebuild(clast_world *w) {
     tune(w, w->step - w->steps_reach);
     if (w->bodies.count > 0) cells_sort(w, 2 * w->largest_bound + w->skin);
     w->cells.bodies = w->bodies.count;
+    ranks_list_ghosts(w);
     rows_layout(w);
-    rows_fill(w, 0, w->bodies.count);
+    rows_fill(w, 0, w->bodies.count + w->ghosts);
     carry_place(w);
     shares_cut(w);
     parallel_run(w->threads, rebuild_share, w);
@@ -255,9 +282,11 @@ void lists_rebuild(clast_world *w) {
 
 static void refresh_thread(void *context, int thread) {
     clast_world *w = context;
-    refresh_share(w, &w->shares[thread]);
-    facets_reserve(w, &w->shares[thread]);
-    shared_group(w, &w->shares[thread]);
+    for (int t = thread; t < w->lists; t += w->threads) {
+        refresh_share(w, &w->shares[t]);
+        facets_reserve(w, &w->shares[t]);
+        shared_group(w, &w->shares[t]);
+    }
 }
 
 void lists_refresh(clast_world *w) {

@@ -83,6 +83,24 @@ static int ranges_around(const clast_world *w, size_t a, range out[RANGES]) {
     return count;
 }
 
+/* Ghosts next to it, wherever they stand. */
+static int ranges_of_ghosts(const clast_world *w, size_t a, range out[RANGES]) {
+    const cell_grid *g = &w->cells.grid;
+    const body_store *b = &w->bodies;
+    cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
+    cell_span x[2];
+    int j[3], k[3], count = 0, spans = cells_between(&g->x, p.i - 1, p.i + 1, x);
+    int rows = cells_next_to(&g->y, p.j, j), layers = cells_next_to(&g->z, p.k, k);
+    for (int r = 0; r < rows * layers; r++) {
+        const uint32_t *first = w->cells.ghost_first + row_of_cells(g, j[r % rows], k[r / rows]);
+        for (int s = 0; s < spans; s++) {
+            size_t from = first[x[s].first], to = first[x[s].last + 1];
+            if (from < to) out[count++] = (range){from, to};
+        }
+    }
+    return count;
+}
+
 /* Writes the slots of a range that are within reach; room for all of them. No branch, because there
  * is nothing to predict. */
 CLAST_INLINE static inline size_t scan_as(const clast_world *w, size_t a, range r, int32_t *found,
@@ -105,15 +123,40 @@ static size_t scan(const clast_world *w, size_t a, range r, int32_t *found) {
     return w->period.any ? scan_as(w, a, r, found, true) : scan_as(w, a, r, found, false);
 }
 
-/* Appends the bodies ahead within reach and returns how many there are. */
-static size_t append_bodies(clast_world *w, reach_list *l, size_t a) {
-    range ranges[RANGES];
-    int rows = w->period.any ? ranges_around(w, a, ranges) : ranges_ahead(w, a, ranges);
-    size_t begin = l->count, found = begin;
+static size_t scan_all(clast_world *w, reach_list *l, size_t a, const range *ranges, int rows,
+                       size_t found) {
     for (int r = 0; r < rows; r++) {
         reserve_partners(w, l, found + (ranges[r].end - ranges[r].begin));
         found += scan(w, a, ranges[r], l->partner + found);
     }
+    return found;
+}
+
+/* Which share a pair with a ghost stands in: where it is booked, or apart. */
+static bool is_of_share(const clast_world *w, const share *s, size_t own, size_t ghost) {
+    return (w->bodies.id[own] > w->bodies.id[ghost]) == s->across;
+}
+
+static size_t append_ghosts(clast_world *w, share *s, size_t a, size_t found) {
+    range ranges[RANGES];
+    int rows = ranges_of_ghosts(w, a, ranges);
+    size_t end = scan_all(w, &s->reach, a, ranges, rows, found);
+    int32_t *partner = s->reach.partner;
+    for (size_t k = found; k < end; k++)
+        if (is_of_share(w, s, a, (size_t)partner[k])) partner[found++] = partner[k];
+    return found;
+}
+
+/* Appends the bodies ahead within reach and returns how many there are. */
+static size_t append_bodies(clast_world *w, share *s, size_t a) {
+    range ranges[RANGES];
+    reach_list *l = &s->reach;
+    size_t begin = l->count, found = begin;
+    int rows = s->across       ? 0
+               : w->period.any ? ranges_around(w, a, ranges)
+                               : ranges_ahead(w, a, ranges);
+    found = scan_all(w, l, a, ranges, rows, found);
+    if (w->ghosts > 0) found = append_ghosts(w, s, a, found);
     return found - begin;
 }
 
@@ -135,13 +178,20 @@ static size_t scan_spheres(const clast_world *w, size_t i, size_t body, int32_t 
  * A contact that touched at the last evaluation and is now farther apart than the skin stays: the
  * law books its end, as it would with a wider skin. */
 
-static void keep_touching(clast_world *w, reach_list *l, size_t sphere, size_t begin) {
+static bool is_kept_here(const clast_world *w, const share *s, size_t sphere, size_t partner) {
+    size_t a = body_of_sphere(w, sphere), b = body_of_sphere(w, partner);
+    return b < w->bodies.count ? !s->across : is_of_share(w, s, a, b);
+}
+
+static void keep_touching(clast_world *w, share *s, size_t sphere, size_t begin) {
+    reach_list *l = &s->reach;
     for (uint32_t k = w->carry.first[sphere]; k < w->carry.first[sphere + 1]; k++) {
         carried contact = carry_at(w, k);
         if (contact.with_wall) continue;
         size_t at = begin;
         while (at < l->count && l->partner[at] != contact.partner) at++;
         if (at < l->count) continue;
+        if (w->ranks && !is_kept_here(w, s, sphere, (size_t)contact.partner)) continue;
         reserve_partners(w, l, l->count + 1);
         l->partner[l->count++] = contact.partner;
     }
@@ -151,12 +201,13 @@ static void build_for_sphere_body(clast_world *w, share *s, size_t slot) {
     reach_list *l = &s->reach;
     size_t begin = l->count;
     l->first[slot - s->sphere_begin] = (uint32_t)begin;
-    l->count += append_bodies(w, l, slot);
-    keep_touching(w, l, slot, begin);
+    l->count += append_bodies(w, s, slot);
+    keep_touching(w, s, slot, begin);
 }
 
-static size_t bodies_ahead(clast_world *w, reach_list *l, size_t slot) {
-    size_t bodies = append_bodies(w, l, slot);
+static size_t bodies_ahead(clast_world *w, share *s, size_t slot) {
+    reach_list *l = &s->reach;
+    size_t bodies = append_bodies(w, s, slot);
     if (bodies > l->ahead_capacity) {
         size_t now = 2 * bodies;
         l->ahead = memory_grow(w, l->ahead, l->ahead_capacity, now, sizeof *l->ahead);
@@ -168,7 +219,7 @@ static size_t bodies_ahead(clast_world *w, reach_list *l, size_t slot) {
 
 static void build_for_clump(clast_world *w, share *s, size_t slot) {
     reach_list *l = &s->reach;
-    size_t bodies = bodies_ahead(w, l, slot);
+    size_t bodies = bodies_ahead(w, s, slot);
     for (size_t i = w->rows.first[slot]; i < w->rows.first[slot + 1]; i++) {
         size_t begin = l->count;
         l->first[i - s->sphere_begin] = (uint32_t)begin;
@@ -178,7 +229,7 @@ static void build_for_clump(clast_world *w, share *s, size_t slot) {
             reserve_partners(w, l, l->count + most);
             l->count += scan_spheres(w, i, body, l->partner + l->count);
         }
-        keep_touching(w, l, i, begin);
+        keep_touching(w, s, i, begin);
     }
 }
 
@@ -232,5 +283,5 @@ void reach_build(clast_world *w, share *s) {
             build_for_sphere_body(w, s, slot);
     }
     l->first[spheres] = (uint32_t)l->count;
-    build_walls(w, s);
+    if (!s->across) build_walls(w, s);
 }

@@ -2,7 +2,7 @@
  * memory: what checkpoint, hash and readers see. */
 #include <stdlib.h>
 
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall) {
     size_t a = body_of_sphere(w, (size_t)l->a[k]);
@@ -30,9 +30,9 @@ void records_reserve(clast_world *w, size_t count) {
     r->capacity = count;
 }
 
-static size_t count_touching(const clast_world *w) {
+static size_t count_touching(const clast_world *w, int lists) {
     size_t count = 0;
-    for (int t = 0; t < w->threads; t++) {
+    for (int t = 0; t < lists; t++) {
         const share *s = &w->shares[t];
         for (size_t k = 0; k < s->contacts.count; k++) count += contact_touches(w, &s->contacts, k);
         for (size_t k = 0; k < s->walls.count; k++) count += contact_touches(w, &s->walls, k);
@@ -46,14 +46,30 @@ static void collect(clast_world *w, const contact_list *l, bool with_wall) {
             w->records.items[w->records.count++] = record_of(w, l, k, with_wall);
 }
 
-/* Fills w->records with the contacts that touch, in no order. */
-void records_collect(clast_world *w) {
-    records_reserve(w, count_touching(w));
+static void collect_lists(clast_world *w, int lists) {
+    records_reserve(w, count_touching(w, lists));
     w->records.count = 0;
-    for (int t = 0; t < w->threads; t++) {
+    for (int t = 0; t < lists; t++) {
         collect(w, &w->shares[t].contacts, false);
         collect(w, &w->shares[t].walls, true);
     }
+}
+
+/* Fills w->records with the contacts of own bodies that touch, in no order: those with ghosts are
+ * here and there. */
+void records_collect_here(clast_world *w) {
+    collect_lists(w, w->lists);
+}
+
+/* Fills w->records with the contacts that touch, in no order: all of the world. */
+void records_collect(clast_world *w) {
+    collect_lists(w, w->threads);
+    if (!w->ranks) return;
+    size_t count;
+    contact_record *all = ranks_gather(w, w->records.items, w->records.count, sizeof *all, &count);
+    records_forget(w);
+    w->records = (record_list){count, count, all};
+    memory_adopt(w, count * sizeof *all);
 }
 
 int record_compare(const void *left, const void *right) {

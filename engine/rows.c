@@ -3,16 +3,15 @@
 #include "engine/rows.h"
 #include "engine/world.h"
 
-static size_t count_spheres(const clast_world *w) {
+static size_t count_spheres(const clast_world *w, size_t from, size_t to) {
     size_t count = 0;
-    for (size_t i = 0; i < w->bodies.count; i++)
-        count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
+    for (size_t i = from; i < to; i++) count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
     return count;
 }
 
 static void reserve_bodies(clast_world *w) {
     row_store *r = &w->rows;
-    size_t need = w->bodies.count, old = r->bodies;
+    size_t need = w->bodies.count + w->ghosts, old = r->bodies;
     if (need <= old && r->motion) return;
     r->motion = memory_lines(w, r->motion, old * sizeof *r->motion, need * sizeof *r->motion);
     r->loads = memory_lines(w, r->loads, old * sizeof *r->loads, need * sizeof *r->loads);
@@ -26,7 +25,7 @@ static void reserve_bodies(clast_world *w) {
 
 static void reserve_spheres(clast_world *w) {
     row_store *r = &w->rows;
-    size_t need = w->sphere_count, old = r->spheres;
+    size_t need = w->sphere_count + w->ghost_spheres, old = r->spheres;
     if (need <= old) return;
     r->centre = memory_lines(w, r->centre, old * sizeof *r->centre, need * sizeof *r->centre);
     if (w->special.clumps) {
@@ -35,15 +34,17 @@ static void reserve_spheres(clast_world *w) {
     r->spheres = need;
 }
 
-/* Lays spheres out in the order of their bodies. (In a plane the inverse moment about its axis is
- * the only one that counts, and stays.) */
+/* Lays spheres out in the order of their bodies, ghosts behind the own ones. (In a plane the
+ * inverse moment about its axis is the only one that counts, and stays.) */
 void rows_layout(clast_world *w) {
-    w->sphere_count = count_spheres(w);
+    size_t own = w->bodies.count, all = own + w->ghosts;
+    w->sphere_count = count_spheres(w, 0, own);
+    w->ghost_spheres = count_spheres(w, own, all);
     reserve_bodies(w);
     reserve_spheres(w);
     row_store *r = &w->rows;
     size_t place = 0;
-    for (size_t i = 0; i < w->bodies.count; i++) {
+    for (size_t i = 0; i < all; i++) {
         const shape *s = &w->shapes[w->bodies.shape[i]];
         r->motion[i].mass = s->mass;
         r->motion[i].material = s->material;
@@ -54,7 +55,7 @@ void rows_layout(clast_world *w) {
             if (w->special.clumps) r->arm[place].body = (int64_t)i;
         }
     }
-    if (w->special.clumps) r->first[w->bodies.count] = (uint32_t)place;
+    if (w->special.clumps) r->first[all] = (uint32_t)place;
 }
 
 /* Everything that moves, from the columns. */

@@ -2,6 +2,7 @@
 #include "engine/flow.h"
 #include "engine/numbers.h"
 #include "engine/part.h"
+#include "engine/ranks.h"
 
 contact_kernel contact_kernel_baseline, contact_kernel_mixed_baseline;
 body_kernel body_kernel_baseline;
@@ -132,7 +133,7 @@ void special_choose(clast_world *w) {
     for (int l = 1; l < w->wall_count; l++)
         k.one_wall &= w->walls[l].def.material == w->walls[0].def.material;
     for (int l = 0; l < w->wall_count; l++) k.facets |= w->walls[l].family >= 0;
-    k.flat = is_flat(w);
+    k.flat = w->prepared && w->ranks ? w->special.flat : is_flat(w); /* of all bodies */
     k.shared = k.clumps && w->def.clump_contact == CLAST_CLUMP_SHARED;
     for (int l = 0; l < w->wall_count; l++) {
         const part *p = &w->parts[w->walls[l].part];

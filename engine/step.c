@@ -2,7 +2,9 @@
  *
  * At a step boundary the world holds x(n), v(n-1/2) and the contact forces f(n). */
 #include "engine/parallel.h"
+#include "engine/ranks.h"
 #include "engine/periodic.h"
+#include "engine/ranks.h"
 #include "engine/world.h"
 
 enum { SPHERES_PER_THREAD = 1000 };
@@ -32,7 +34,10 @@ static size_t sphere_count(const clast_world *w) {
 
 /* Asked-for threads are used as asked; else as many as the size of the scene keeps busy. */
 static void choose_threads(clast_world *w) {
-    size_t useful = sphere_count(w) / SPHERES_PER_THREAD, cores = (size_t)parallel_max_threads();
+    size_t spheres = sphere_count(w), cores = (size_t)parallel_max_threads();
+    if (w->ranks) spheres /= (size_t)w->ranks->by->count, cores /= (size_t)ranks_beside();
+    size_t useful = spheres / SPHERES_PER_THREAD;
+    if (cores < 1) cores = 1;
     size_t n = useful < 1 ? 1 : useful < cores ? useful : cores;
     shares_make(w, w->def.threads > 0 ? w->def.threads : (int)n);
 }
@@ -106,6 +111,8 @@ static clast_status prepare_checked(clast_world *w) {
     if (s) return s;
     s = flow_check(w);
     if (s) return s;
+    s = ranks_join(w);
+    if (s) return s;
     choose_threads(w);
     walls_link(w);
     special_choose(w);
@@ -130,9 +137,11 @@ clast_status clast_world_prepare(clast_world *w) {
     walls_plant(w);
     walls_make_rows(w);
     walls_move(w);
+    int outside = guards_complain_of_outside(w); /* before the bodies go to their processes */
+    ranks_scatter(w);
     carry_records(w);
     lists_rebuild(w);
-    s = guards_check_start(w);
+    s = guards_check_start(w, outside);
     if (s) return s;
     w->prepared = true;
     w->contact_dt = 0;
@@ -163,8 +172,14 @@ clast_status world_rebuild(clast_world *w) {
     stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
     if (s) return s;
-    carry_lists(w);
+    bool divide = ranks_wish_to_divide(w);
+    if (divide)
+        records_collect_here(w);
+    else
+        carry_lists(w);
+    ranks_forget_ghosts(w);
     if (w->found.outside) bodies_leave(w);
+    if (divide) ranks_divide(w), carry_records(w);
     lists_rebuild(w);
     if (leaving) ledger_remove_contacts(w, before);
     w->parts_changed = false;
@@ -173,7 +188,9 @@ clast_status world_rebuild(clast_world *w) {
 
 static clast_status refresh_neighbours(clast_world *w) {
     way_verdict old = way_judge(w);
-    if (w->stale || old.reach || w->found.outside) return world_rebuild(w);
+    bool stale = w->stale || old.reach || w->found.outside;
+    ranks_agree(w, &stale);
+    if (stale) return world_rebuild(w);
     if (old.contacts) lists_refresh(w);
     return CLAST_OK;
 }
@@ -189,6 +206,7 @@ clast_status clast_world_step(clast_world *w) {
     bodies_advance(w); /* gather f(n), kick, drift: x(n+1), v(n+1/2) */
     w->found.outside |= outlets_hold_any(w);
     w->step++;
+    ranks_swap(w);
     lap(&clock, &c->seconds_bodies);
     walls_move(w);
     clast_status fed = feeds_deliver(w); /* who is due */

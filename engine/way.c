@@ -22,11 +22,17 @@ static void keep(float to[3], const centre_row *c) {
     to[0] = (float)c->x, to[1] = (float)c->y, to[2] = (float)c->z;
 }
 
+/* Spheres of a share; ghosts are watched by the last. */
+static size_t end_of(const clast_world *w, int thread) {
+    bool last = thread == w->threads - 1;
+    return last ? w->sphere_count + w->ghost_spheres : w->shares[thread].sphere_end;
+}
+
 static void remember_share(void *context, int thread) {
     clast_world *w = context;
     const share *s = &w->shares[thread];
     bool reach = w->way.reach.bound == 0;
-    for (size_t i = s->sphere_begin; i < s->sphere_end; i++) {
+    for (size_t i = s->sphere_begin; i < end_of(w, thread); i++) {
         kept_place *p = &w->way.places[i];
         keep(p->contacts, &w->rows.centre[i]);
         if (reach) keep(p->reach, &w->rows.centre[i]);
@@ -37,11 +43,11 @@ static void remember_share(void *context, int thread) {
  * for the places is taken at the first time after the start, when a large state has been read. */
 void way_remember(clast_world *w) {
     if (!w->prepared || w->integrator) return;
-    if (w->sphere_count > w->way.capacity) {
-        size_t old = w->way.capacity * sizeof(kept_place),
-               now = w->sphere_count * sizeof(kept_place);
+    size_t spheres = w->sphere_count + w->ghost_spheres;
+    if (spheres > w->way.capacity) {
+        size_t old = w->way.capacity * sizeof(kept_place), now = spheres * sizeof(kept_place);
         w->way.places = memory_lines(w, w->way.places, old, now);
-        w->way.capacity = w->sphere_count;
+        w->way.capacity = spheres;
         w->way.knows_reach = false;
     }
     if (w->way.reach.bound == 0) w->way.knows_reach = true;
@@ -72,7 +78,7 @@ static void measure_share(void *context, int thread) {
     clast_world *w = context;
     share *s = &w->shares[thread];
     double reach[2] = {0, 0}, contacts[2] = {0, 0}, size = 0;
-    for (size_t i = s->sphere_begin; i < s->sphere_end; i++) {
+    for (size_t i = s->sphere_begin; i < end_of(w, thread); i++) {
         const centre_row *c = &w->rows.centre[i];
         const kept_place *p = &w->way.places[i];
         note(reach, squared(&w->kernel_period, p->reach, c));

@@ -5,6 +5,7 @@
 #include "engine/flow.h"
 #include "engine/parallel.h"
 #include "engine/part.h"
+#include "engine/ranks.h"
 #include "engine/world.h"
 
 enum { DEF_MAGIC = 0x434c5354 };
@@ -111,6 +112,7 @@ void clast_world_free(clast_world *w) {
     flow_free(w);
     user_law_free(w);
     shares_free(w);
+    ranks_leave(w);
 #define X(type, name) free(w->bodies.name);
     BODY_COLUMNS(X)
 #undef X
@@ -123,7 +125,7 @@ void clast_world_free(clast_world *w) {
     free(w->view.vx), free(w->view.vy), free(w->view.vz), free(w->view.mass);
     free(w->view.wx), free(w->view.wy), free(w->view.wz);
     free(w->view.sx), free(w->view.sy), free(w->view.sz), free(w->view.radius), free(w->view.body);
-    free(w->cells.cell_first), free(w->way.places);
+    free(w->cells.cell_first), free(w->cells.ghost_first), free(w->way.places);
     free(w);
 }
 

@@ -146,9 +146,15 @@ void lists_refresh(clast_world *w);
 contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
 int record_compare(const void *left, const void *right);
 void records_collect(clast_world *w);
+void records_collect_here(clast_world *w);
 void records_sort(clast_world *w);
 void records_reserve(clast_world *w, size_t count);
 void records_forget(clast_world *w);
+
+/* What a contact pass finds, as numbers that processes add up: the largest overlap, five sums of
+ * two numbers (elastic, dashpot; of the bodies before: global, contact, unwrapped), contacts; and
+ * of each part five sums. */
+enum { PASS_NUMBERS = 12, PART_NUMBERS = sizeof(part_sums) / sizeof(double) };
 
 /* contact.c: runs the kernel on all shares, adds up tallies */
 void contacts_evaluate(clast_world *w);
@@ -215,7 +221,8 @@ void ledger_add_body(clast_world *w, size_t slot);
 void ledger_remove_body(clast_world *w, size_t slot);
 void ledger_remove_contacts(clast_world *w, stored_energy before);
 clast_status guards_check(clast_world *w);
-clast_status guards_check_start(clast_world *w);
+int guards_complain_of_outside(clast_world *w);
+clast_status guards_check_start(clast_world *w, int faults);
 clast_status guards_check_energy(clast_world *w);
 clast_status guards_outside(clast_world *w);
 clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move);

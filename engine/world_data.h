@@ -361,6 +361,7 @@ typedef struct share {
     double way_reach[2], way_contacts[2]; /* m, the two longest, measured by way.c */
     part_sums *pushes;                    /* per part */
     contact_report *report, *wall_report; /* when asked for, per contact */
+    bool across; /* pairs of own bodies and ghosts that their own process books (ranks.h) */
 } share;
 
 /* One entry of a list of contacts. */
@@ -483,8 +484,12 @@ struct clast_world {
     row_store rows;
     size_t sphere_count;
     load_scale load_scale;
-    share *shares; /* one per thread */
-    int threads;
+    share *shares; /* one per thread, and in a shared world one more for pairs booked elsewhere */
+    int threads, lists; /* lists: shares in all */
+    struct ranks *ranks; /* NULL in a world that one process has for itself */
+    size_t ghosts, ghost_spheres; /* bodies of other processes: slots from bodies.count on */
+    size_t arrived;               /* bodies of feeds behind the ghosts, until the next rebuild */
+    double *pass_record;          /* what a contact pass found, to be added up */
     record_list records;
     carry_store carry;
     uint32_t scene_ids;            /* bodies that the scene began with */
@@ -527,6 +532,8 @@ struct clast_world {
         uint32_t *cell_first;
         size_t cell_capacity;
         size_t bodies; /* that were sorted: the first so many slots */
+        uint32_t *ghost_first; /* the same of ghosts, as slots */
+        size_t ghost_capacity;
     } cells;
 
     clast_counters counters;
