@@ -359,8 +359,7 @@ static int write_about(const aspect_study *s) {
         if (s->cases[i].ran) worst = fmax(worst, s->cases[i].flow.residual);
     }
     const int *n = s->size->replicates;
-    fprintf(f, "size=%s\nreplicates=%d as the source; %d cheaper\n", s->size->name, n[THESIS],
-            n[CHEAP]);
+    fprintf(f, "size=%s\nreplicates=%d + %d cheaper\n", s->size->name, n[THESIS], n[CHEAP]);
     fprintf(f, "particles=%d\nspheres_per_particle=1; 2; 3; 4\nworst_residual=%.2g\n",
             s->size->count, worst);
     fprintf(f, "width_cm=%g\nshown=%s\nhash=0x%016llx\nengine=%s\n", 200 * s->size->half_width,

@@ -10,7 +10,7 @@ set lmargin at screen across(1.5); set rmargin at screen across(10.0)
 set xlabel 'time (s)'; set ylabel 'co-ordination number'
 set xrange [0:*]; set yrange [0:6]
 set key bottom right
-plot for [k=1:4] shape('consolidation', k) using 2:3 with lines lw 1.4 dt stroke[k] lc rgb hue[k] title 'aspect '.k
+plot for [k=1:4] shape('consolidation', k) using 2:3 with lines lw 1.4 lc rgb hue[k] title 'aspect '.k
 unset label 999
 set lmargin at screen across(11.4); set rmargin at screen across(16.7)
 set xlabel 'aspect ratio'; set ylabel ''

@@ -11,13 +11,13 @@ set lmargin at screen across(1.6); set rmargin at screen across(6.4)
 set key at screen 0.4,1 - up(0.12) center top maxrows 1
 set xlabel 'time (s)'; set ylabel 'discharged (%)'
 set xrange [0:*]; set yrange [0:100]
-plot for [k=1:4] shape('discharge', k) using 4:5 with lines lw 1.4 dt stroke[k] lc rgb hue[k] title 'aspect '.k
+plot for [k=1:4] shape('discharge', k) using 4:5 with lines lw 1.4 lc rgb hue[k] title 'aspect '.k
 unset label 999; unset key
 set lmargin at screen across(7.6); set rmargin at screen across(11.6)
 set ylabel ''
 set xrange [0:0.5]; set yrange [0:*]; set xtics 0.1
 set arrow 1 from 0.08, graph 0 to 0.08, graph 1 nohead dt (6,3) lw 1 lc rgb thesis
-plot for [k=1:4] shape('discharge', k) using ($4 <= 0.5 ? $4 : NaN):5 with lines lw 1.4 dt stroke[k] lc rgb hue[k]
+plot for [k=1:4] shape('discharge', k) using ($4 <= 0.5 ? $4 : NaN):5 with lines lw 1.4 lc rgb hue[k]
 unset arrow 1
 set lmargin at screen across(13.4); set rmargin at screen across(16.7)
 set xlabel 'aspect ratio'; set ylabel 'steady rate (%/s)'

@@ -8,4 +8,4 @@ load tools.'/aspect-ratio-hopper/aspect.gpi'
 set xlabel 'solid fraction'; set ylabel 'cells (%)'
 set xrange [0:1.1]; set yrange [0:*]
 set key top left
-plot for [k=1:4] shape('distribution', k) using ($2 + 0.025):3 with linespoints lw 1.3 dt stroke[k] pt mark[k] ps 0.5 lc rgb hue[k] title 'aspect '.k
+plot for [k=1:4] shape('distribution', k) using ($2 + 0.025):3 with linespoints lw 1.3 pt mark[k] ps 0.5 lc rgb hue[k] title 'aspect '.k

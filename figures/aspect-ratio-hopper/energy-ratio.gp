@@ -15,6 +15,6 @@ do for [c=1:4] {
     set xlabel 'time (s)'
     set ylabel (c == 1 ? 'log_{10} E_r/E_t' : ''); set format y (c == 1 ? '%g' : '')
     set label 1 word('left centre right hopper', c) at graph 0.05,0.94 left tc rgb ink
-    plot for [k=1:4] shape('ratios', k) using 2:(column(2 + c)) with lines lw 1.3 dt stroke[k] lc rgb hue[k] title 'aspect '.k
+    plot for [k=1:4] shape('ratios', k) using 2:(column(2 + c)) with lines lw 1.3 lc rgb hue[k] title 'aspect '.k
 }
 unset multiplot

@@ -9,7 +9,7 @@ set multiplot
 stats data.'/pressure.csv' using 4 every ::1 nooutput
 most = STATS_max
 stats data.'/pressure.csv' using 3 every ::1 nooutput
-set xrange [0:1.25 * most]; set yrange [0:STATS_max] reverse
+set xrange [0:1.25 * most]; set yrange [1.05 * STATS_max:0]
 do for [k=1:4] {
     left = 1.8 + 3.8 * (k - 1)
     if (k > 1) { unset label 999; unset key } else { set key at screen 0.5,1 - up(0.12) center top maxrows 1 }

@@ -10,7 +10,7 @@ stats shape('tracks', 1) using 6 every ::0::0 nooutput
 H = number(system(sprintf("awk -F, '$1 == \"bed height\" && $3 == 1 { print 100 * $7 }' '%s/facts.csv'", data)))
 set size ratio -1
 unset grid; unset border; unset tics
-set lmargin at screen 0.02; set rmargin at screen 0.98; set bmargin at screen up(0.5); set tmargin at screen 1 - up(0.1)
+set lmargin at screen 0.2; set rmargin at screen 0.98; set bmargin at screen up(0.5); set tmargin at screen 1 - up(0.1)
 set xrange [-2.3 * side:2.3 * side]; set yrange [ground - 0.15 * side:4.6 * side]
 set object 1 rectangle from -side,0 to side,H fs solid 1 noborder fc rgb '#eeeeee' behind
 set arrow 1 from -side,ground to -side,4.5 * side nohead lw 2 lc rgb experiment
@@ -23,7 +23,7 @@ do for [k=1:2] { set arrow 40 + k from (2 * k - 3) * side / 3,0 to (2 * k - 3) *
 set arrow 50 from 1.2 * side,0 to 1.2 * side,H heads size screen 0.012,20 lw 0.9 lc rgb ink
 set label 50 'H' at 1.28 * side,0.5 * H left tc rgb ink font small
 set arrow 51 from -slot,-0.25 * side to slot,-0.25 * side heads size screen 0.012,20 lw 0.9 lc rgb ink
-set label 51 'orifice, 0.7 of the width' at 0,-0.5 * side center tc rgb ink font small
+set label 51 "orifice, 0.7\nof the width" at 0,-0.5 * side center tc rgb ink font small
 set arrow 52 from 1.2 * side,ground to 1.2 * side,0 heads size screen 0.012,20 lw 0.9 lc rgb ink
 set label 52 sprintf('%g m', -0.01 * ground) at 1.28 * side,0.5 * ground left tc rgb ink font small
 set label 53 'ten partitions' at -1.15 * side,0.5 * H right tc rgb thesis font small

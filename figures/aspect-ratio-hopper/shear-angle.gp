@@ -19,5 +19,5 @@ set lmargin at screen across(10.0); set rmargin at screen across(16.7)
 set xlabel 'x (cm)'; set ylabel 'height of the heap (cm)'
 set xrange [-side:side]; set yrange [0:*]; set xtics auto; set ytics auto
 plot for [k=1:4] shape('heaps', k) using 2:3:(spread($4)) with yerrorbars pt mark[k] ps 0.4 lw 0.8 lc rgb hue[k], \
-     for [k=1:4] shape('heaps', k) using 2:3 with lines lw 1.3 dt stroke[k] lc rgb hue[k]
+     for [k=1:4] shape('heaps', k) using 2:3 with lines lw 1.3 lc rgb hue[k]
 unset multiplot
