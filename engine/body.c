@@ -124,8 +124,12 @@ static bool is_finite(vec3 a) {
 /* The slot of a new body, with a unit quaternion. */
 size_t body_store_new(clast_world *w, const clast_body_def *def) {
     body_store *b = &w->bodies;
-    body_reserve(w, b->count + 1);
-    size_t i = b->count++;
+    size_t i = b->count + w->ghosts + w->arrived;
+    body_reserve(w, i + 1);
+    if (w->ranks)
+        w->arrived++; /* comes to the others when the lists are made */
+    else
+        b->count++;
     mat3 r = q_matrix(def->orientation);
     vec3 local = m3_apply_transposed(&r, def->spin);
     b->id[i] = new_id(w);
@@ -136,6 +140,13 @@ size_t body_store_new(clast_world *w, const clast_body_def *def) {
     store_motion(b, i, def->velocity, m3_apply(&r, v3_mul(w->shapes[def->shape].inertia, local)));
     w->slot_of_id[b->id[i]] = (int32_t)i;
     return i;
+}
+
+/* The one that arrived last belongs to another process. */
+void body_forget_arrived(clast_world *w, size_t slot) {
+    CLAST_ASSERT(w->arrived > 0 && slot == w->bodies.count + w->ghosts + w->arrived - 1);
+    w->slot_of_id[w->bodies.id[slot]] = -1;
+    w->arrived--;
 }
 
 int clast_body_add(clast_world *w, const clast_body_def *def) {

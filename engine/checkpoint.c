@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "engine/flow_saved.h"
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 enum { FORMAT_VERSION = 6 };
 #define FORMAT_NAME "clast checkpoint"
@@ -190,25 +190,17 @@ static char *names_of_walls(const clast_world *w) {
 
 /* ---- saving ---------------------------------------------------------------------------------- */
 
-/* Slots of the bodies that are there, in the order of their ids; malloc'ed. */
-static uint32_t *slots_by_id(const clast_world *w) {
-    uint32_t *slots = malloc((w->bodies.count + 1) * sizeof *slots);
-    CLAST_ASSERT(slots);
-    size_t n = 0;
-    for (uint32_t id = 0; id < w->next_id; id++)
-        if (w->slot_of_id[id] >= 0) slots[n++] = (uint32_t)w->slot_of_id[id];
-    CLAST_ASSERT(n == w->bodies.count);
-    return slots;
-}
-
-static void save_column(h5_file *f, const char *name, h5_type type, size_t size, const void *column,
-                        const uint32_t *slots, size_t count) {
-    const char *from = column;
+/* A column of the own bodies; `order` and `count` are those of all. */
+static void save_column(h5_file *f, const clast_world *w, const char *name, h5_type type,
+                        size_t size, const void *column, const uint32_t *order, size_t count) {
+    size_t all = w->bodies.count;
+    char *gathered = w->ranks ? ranks_gather(w, column, all, size, &all) : NULL;
+    const char *from = gathered ? gathered : column;
     char *sorted = malloc(count * size + 1);
-    CLAST_ASSERT(sorted);
-    for (size_t i = 0; i < count; i++) memcpy(sorted + i * size, from + slots[i] * size, size);
+    CLAST_ASSERT(sorted && all == count);
+    for (size_t i = 0; i < count; i++) memcpy(sorted + i * size, from + order[i] * size, size);
     h5_write_column(f, name, type, count, sorted);
-    free(sorted);
+    free(sorted), free(gathered);
 }
 
 /* Name of the k-th column that a scheme remembers. */
@@ -230,20 +222,21 @@ static int scheme_columns(const clast_world *w) {
 
 static void save_bodies(h5_file *f, clast_world *w) {
     const body_store *b = &w->bodies;
-    uint32_t *slots = slots_by_id(w);
+    clast_bodies all = clast_world_bodies(w);
+    uint32_t *order = bodies_by_id(w, &all);
+    size_t count = all.count;
 #define X(type, name)                                                                              \
-    save_column(f, "/bodies/" #name, TYPE_OF(type), sizeof(type), b->name, slots, b->count);
+    save_column(f, w, "/bodies/" #name, TYPE_OF(type), sizeof(type), b->name, order, count);
     BODY_COLUMNS(X)
 #undef X
     for (int k = 0; k < 3; k++)
-        if (b->image[k]) save_column(f, IMAGE[k], H5_I32, 4, b->image[k], slots, b->count);
-    clast_bodies v = clast_world_bodies(w);
-    const double *now[] = {v.vx, v.vy, v.vz, v.wx, v.wy, v.wz};
-    for (int i = 0; i < 6; i++) save_column(f, NOW[i], H5_F64, 8, now[i], slots, b->count);
+        if (b->image[k]) save_column(f, w, IMAGE[k], H5_I32, 4, b->image[k], order, count);
+    const double *now[] = {w->view.vx, w->view.vy, w->view.vz, w->view.wx, w->view.wy, w->view.wz};
+    for (int i = 0; i < 6; i++) save_column(f, w, NOW[i], H5_F64, 8, now[i], order, count);
     const double *kept;
     for (int k = 0; (kept = integrator_kept(w, k)) != NULL; k++)
-        save_column(f, scheme_column(k).name, H5_F64, 8, kept, slots, b->count);
-    free(slots);
+        save_column(f, w, scheme_column(k).name, H5_F64, 8, kept, order, count);
+    free(order);
 }
 
 /* One column of the records by its place in the struct. */
@@ -315,7 +308,7 @@ clast_status clast_checkpoint_save(clast_world *w, const char *path, const char 
     CLAST_ASSERT(w && path && w->prepared);
     double numbers[LEDGER_NUMBERS];
     memcpy(numbers, &w->ledger, sizeof numbers);
-    h5_file *f = h5_create(path);
+    h5_file *f = ranks_speaks(w) ? h5_create(path) : h5_create_mute(path);
     save_clock(f, w);
     save_scene(f, w, note);
     save_bodies(f, w);
@@ -326,7 +319,7 @@ clast_status clast_checkpoint_save(clast_world *w, const char *path, const char 
     clast_status status = h5_publish(f);
     if (status != CLAST_OK) world_fail(w, status, "checkpoint %s", h5_error(f));
     h5_free(f);
-    return status;
+    return ranks_agree_status(w, status);
 }
 
 /* ---- reading --------------------------------------------------------------------------------- */
@@ -562,10 +555,13 @@ static void install(clast_world *w, saved *s) {
     w->counters.contacts = s->record_count;
     w->overlap_now = s->overlap_now;
     for (int i = 0; i < w->part_count; i++) w->parts[i].work_total = s->part_work[i];
+    w->found = (body_tally){.way = 0};
+    ranks_forget_ghosts(w);
     install_scheme(w, s);
     install_bodies(w, s);
     flow_install(w, &s->flow);
     install_records(w, s);
+    ranks_scatter(w); /* every process has read all */
     walls_move(w);
     carry_records(w);
     lists_rebuild(w);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "engine/parallel.h"
-#include "engine/periodic.h"
 #include "engine/ranks.h"
 
 /* ---- passes ---------------------------------------------------------------------------------- */
@@ -228,26 +227,24 @@ static void drop_reports(share *s) {
     s->report = s->wall_report = NULL;
 }
 
-/* From where b is to its image at a. */
-static vec3 way_across(const clast_world *w, const contact_list *l, size_t k) {
-    vec3 a = centre_at(&w->rows.centre[l->a[k]]), b = centre_at(&w->rows.centre[l->b[k]]);
-    vec3 d = v3_sub(a, b);
-    return from_kernel(w, v3_sub(d, nearest_image(&w->kernel_period, d)));
-}
-
+/* Seen from the body of lower id, whichever stands first in the list. */
 static contact_reading reading_of(const clast_world *w, const contact_list *l, size_t k,
                                   const contact_report *r, bool with_wall) {
     contact_reading reading = {.record = record_of(w, l, k, with_wall),
                                .normal = from_kernel(w, r->normal),
                                .force = from_kernel(w, r->force)};
     const centre_row *c = &w->rows.centre[l->a[k]];
-    vec3 centre = from_kernel(w, centre_at(c));
-    reading.point = v3_sub(centre, v3_scale(r->lever, reading.normal));
     size_t a = body_of_sphere(w, (size_t)l->a[k]);
-    if (reading.record.a == w->bodies.id[a]) return reading;
-    if (w->period.any) reading.point = v3_sub(reading.point, way_across(w, l, k));
-    reading.normal = v3_scale(-1, reading.normal); /* the name begins with the other body */
-    reading.force = v3_scale(-1, reading.force);
+    if (reading.record.a != w->bodies.id[a]) {
+        c = &w->rows.centre[l->b[k]];
+        reading.normal = v3_scale(-1, reading.normal);
+        reading.force = v3_scale(-1, reading.force);
+    }
+    vec3 zero = v3(0, 0, 0); /* the sign of a zero hangs on who was a */
+    reading.normal = v3_add(reading.normal, zero), reading.force = v3_add(reading.force, zero);
+    double lever = with_wall ? r->lever : c->radius - 0.5 * reading.record.history.overlap;
+    vec3 centre = from_kernel(w, centre_at(c));
+    reading.point = v3_sub(centre, v3_scale(lever, reading.normal));
     return reading;
 }
 

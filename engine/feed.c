@@ -7,6 +7,7 @@
 #include "engine/geometry.h"
 #include "engine/numbers.h"
 #include "engine/periodic.h"
+#include "engine/ranks.h"
 
 /* steps: how long a feed that has found no place waits before it looks again */
 enum { USUAL_ATTEMPTS = 100, REST = 100 };
@@ -198,7 +199,9 @@ static bool is_clear_of_slots(const clast_world *w, size_t from, size_t to, vec3
  * round, across periodic faces, all bodies are asked. */
 static bool is_clear_of_bodies(const clast_world *w, vec3 p, double bound) {
     size_t sorted = w->period.any ? 0 : w->cells.bodies;
+    size_t came = w->bodies.count + w->ghosts;
     if (!is_clear_of_slots(w, sorted, w->bodies.count, p, bound)) return false;
+    if (!is_clear_of_slots(w, came, came + w->arrived, p, bound)) return false;
     if (sorted == 0) return true;
     const cell_grid *g = &w->cells.grid;
     double far = bound + w->largest_bound + w->skin + w->found.way;
@@ -214,10 +217,13 @@ static bool is_clear_of_bodies(const clast_world *w, vec3 p, double bound) {
     return true;
 }
 
-static bool is_clear_of_walls(const clast_world *w, vec3 p, double bound) {
-    for (int i = 0; i < w->wall_count; i++) {
-        const wall *l = &w->walls[i];
-        if (!w->parts[l->part].present) continue;
+/* As they stand now: those of a part that moves are not where they were last listed. */
+static bool is_clear_of_walls(clast_world *w, vec3 p, double bound) {
+    share *s = &w->shares[0];
+    size_t count = walls_around(w, s, p, bound);
+    for (size_t k = 0; k < count; k++) {
+        wall room;
+        const wall *l = wall_now(w, s->around[k], &room);
         vec3 at = image_at_wall(w, l, p);
         if (l->def.kind != CLAST_WALL_PLANE && !is_in_box(l, at, bound)) continue;
         if (wall_approach(l, at).distance < bound) return false;
@@ -225,12 +231,18 @@ static bool is_clear_of_walls(const clast_world *w, vec3 p, double bound) {
     return true;
 }
 
-static bool find_place(const clast_world *w, feed *f, int index, int kind, vec3 *place) {
+/* Every process looks at its own bodies, and all have to find it clear. */
+static bool is_clear(clast_world *w, vec3 place, double bound) {
+    double taken = !is_clear_of_bodies(w, place, bound) || !is_clear_of_walls(w, place, bound);
+    ranks_reduce(w, &taken, 1, 0);
+    return taken == 0;
+}
+
+static bool find_place(clast_world *w, feed *f, int index, int kind, vec3 *place) {
     double bound = w->shapes[kind].bound;
     for (int i = 0; i < f->def.attempts; i++) {
         *place = next_place(w, f, index);
-        if (is_clear_of_bodies(w, *place, bound) && is_clear_of_walls(w, *place, bound))
-            return true;
+        if (is_clear(w, *place, bound)) return true;
     }
     return false;
 }
@@ -258,6 +270,7 @@ static void put_body(clast_world *w, feed *f, int index, int kind, vec3 place) {
     passage_note(w, &w->flow->arrivals, slot, index);
     clast_passage *p = &w->flow->arrivals.items[w->flow->arrivals.count - 1];
     p->velocity = f->def.velocity;
+    if (w->ranks && ranks_nearest(w, place) != w->ranks->by->number) body_forget_arrived(w, slot);
 }
 
 static clast_status refuse(clast_world *w, feed *f, int kind) {

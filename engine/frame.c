@@ -1,6 +1,7 @@
 /* frame.c - one moment of a world as an HDF5 file, for pictures, ParaView and studies.
  *
  *     /body/id, shape, position[n,3], orientation[n,4] (w x y z), velocity[n,3], spin[n,3]
+ *     /body/rank                                                        where processes share it
  *     /body/image[n,3]                                                  where an axis is periodic
  *     /part/turn[p,4] (w x y z), shift[p,3], present                    clast_pose of every part
  *     /sphere/centre[m,3], radius, speed (single precision), body (id)
@@ -13,7 +14,7 @@
 #include <string.h>
 
 #include "engine/hdf5_io.h"
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 static void *rows(size_t count, size_t size) {
     void *p = malloc(count * size + 1);
@@ -21,17 +22,8 @@ static void *rows(size_t count, size_t size) {
     return p;
 }
 
-/* Slots in the order of ids. */
-static size_t *order_of_ids(const clast_world *w, size_t count) {
-    size_t *order = rows(count, sizeof *order), n = 0;
-    for (uint32_t id = 0; id < w->next_id; id++)
-        if (w->slot_of_id[id] >= 0) order[n++] = (size_t)w->slot_of_id[id];
-    CLAST_ASSERT(n == count);
-    return order;
-}
-
 /* Columns side by side, rows in the given order. */
-static void write_rows(h5_file *f, const char *name, const size_t *order, size_t count, int width,
+static void write_rows(h5_file *f, const char *name, const uint32_t *order, size_t count, int width,
                        const double *const *columns) {
     double *all = rows(count * (size_t)width, sizeof *all);
     for (size_t i = 0; i < count; i++)
@@ -41,7 +33,7 @@ static void write_rows(h5_file *f, const char *name, const size_t *order, size_t
 }
 
 /* Times that the bodies have left by the upper face, less those by the lower one. */
-static void write_images(h5_file *f, const clast_bodies *b, const size_t *order) {
+static void write_images(h5_file *f, const clast_bodies *b, const uint32_t *order) {
     if (!b->image[0] && !b->image[1] && !b->image[2]) return;
     int32_t *all = rows(3 * b->count, sizeof *all);
     for (size_t i = 0; i < b->count; i++)
@@ -50,13 +42,15 @@ static void write_images(h5_file *f, const clast_bodies *b, const size_t *order)
     free(all);
 }
 
-static void write_bodies(h5_file *f, const clast_bodies *b, const size_t *order) {
+static void write_bodies(h5_file *f, const clast_bodies *b, const uint32_t *order) {
     size_t n = b->count;
     uint32_t *id = rows(n, sizeof *id);
     int32_t *shape_of = rows(n, sizeof *shape_of);
     for (size_t i = 0; i < n; i++) id[i] = b->id[order[i]], shape_of[i] = b->shape[order[i]];
     h5_write_column(f, "/body/id", H5_U32, n, id);
     h5_write_column(f, "/body/shape", H5_I32, n, shape_of);
+    for (size_t i = 0; i < n && b->rank; i++) shape_of[i] = b->rank[order[i]];
+    if (b->rank) h5_write_column(f, "/body/rank", H5_I32, n, shape_of);
     write_rows(f, "/body/position", order, n, 3, (const double *[]){b->x, b->y, b->z});
     write_rows(f, "/body/orientation", order, n, 4, (const double *[]){b->qw, b->qx, b->qy, b->qz});
     write_rows(f, "/body/velocity", order, n, 3, (const double *[]){b->vx, b->vy, b->vz});
@@ -92,7 +86,8 @@ static float speed_of(const clast_bodies *b, const clast_spheres *s, size_t sphe
     return (float)sqrt(v3_dot(v, v));
 }
 
-static void write_spheres(h5_file *f, clast_world *w, const clast_bodies *b, const size_t *order) {
+static void write_spheres(h5_file *f, clast_world *w, const clast_bodies *b,
+                          const uint32_t *order) {
     clast_spheres s = clast_world_spheres(w);
     size_t *first = rows(b->count + 1, sizeof *first), n = 0;
     for (size_t i = s.count; i-- > 0;) first[s.body[i]] = i; /* spheres are grouped by body */
@@ -145,8 +140,8 @@ static void write_contacts(h5_file *f, clast_world *w) {
 clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts) {
     CLAST_ASSERT(w && path);
     clast_bodies b = clast_world_bodies(w);
-    size_t *order = order_of_ids(w, b.count);
-    h5_file *f = h5_create(path);
+    uint32_t *order = bodies_by_id(w, &b);
+    h5_file *f = ranks_speaks(w) ? h5_create(path) : h5_create_mute(path);
     h5_attribute_text(f, "/", "format", "clast frame");
     h5_attribute_u64(f, "/", "version", 1);
     h5_attribute_double(f, "/", "time", clast_world_time(w));
@@ -159,5 +154,5 @@ clast_status clast_frame_write(clast_world *w, const char *path, bool with_conta
     if (status != CLAST_OK) world_fail(w, status, "frame %s", h5_error(f));
     h5_free(f);
     free(order);
-    return status;
+    return ranks_agree_status(w, status);
 }

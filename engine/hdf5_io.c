@@ -13,7 +13,7 @@
 
 struct h5_file {
     hid_t id;
-    bool writing, published;
+    bool writing, published, mute;
     clast_status status;
     char *path, *temporary; /* temporary: NULL when reading */
     char error[H5_ERROR_MAX];
@@ -202,7 +202,7 @@ static void fail(h5_file *f, const char *what, const char *name) {
 
 clast_status h5_status(const h5_file *f) {
     CLAST_ASSERT(f);
-    return f->status;
+    return f->mute ? CLAST_OK : f->status;
 }
 
 const char *h5_error(const h5_file *f) {
@@ -235,6 +235,13 @@ h5_file *h5_create(const char *path) {
     if (f->id < 0)
         h5_fail(f, CLAST_ERR_WRITE, "%s: cannot be written: %s", path,
                 open_errno ? strerror(open_errno) : "HDF5 cannot create a file there");
+    return f;
+}
+
+h5_file *h5_create_mute(const char *path) {
+    h5_file *f = file_new(path, true);
+    f->mute = true;
+    f->status = CLAST_ERR_WRITE; /* so that nothing is tried */
     return f;
 }
 
@@ -286,6 +293,7 @@ static int flush_to_disk(h5_file *f) {
 
 clast_status h5_publish(h5_file *f) {
     CLAST_ASSERT(f && f->writing && !f->published);
+    if (f->mute) return CLAST_OK;
     if (f->status != CLAST_OK) return f->status;
     int failure = flush_to_disk(f);
     if (!failure && rename(f->temporary, f->path) != 0) failure = errno;
@@ -302,7 +310,7 @@ clast_status h5_publish(h5_file *f) {
 void h5_free(h5_file *f) {
     if (!f) return;
     if (f->id >= 0) H5Fclose(f->id);
-    if (f->writing && !f->published) remove(f->temporary);
+    if (f->writing && !f->published && !f->mute) remove(f->temporary);
     free(f->path);
     free(f->temporary);
     free(f);

@@ -277,6 +277,7 @@ void lists_rebuild(clast_world *w) {
     way_remember(w);
     w->steps_reach = w->steps_contacts = w->step;
     w->stale = false;
+    ranks_count_all(w);
     w->counters.rebuilds++;
 }
 

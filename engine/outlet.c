@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "engine/flow.h"
+#include "engine/ranks.h"
 
 static bool is_finite(vec3 a) {
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
@@ -83,19 +84,64 @@ static size_t find_leaving(clast_world *w) {
     return count;
 }
 
-/* In the order of ids, so that the books do not depend on the order of storage. Histories must be
- * carried. */
-void bodies_leave(clast_world *w) {
+static void leave(clast_world *w, size_t slot) {
     flow *f = w->flow;
-    size_t count = find_leaving(w);
+    int gate = outlet_of(w, slot);
+    outlet_state *s = gate == CLAST_OUTLET_DOMAIN ? &f->domain : &f->outlets[gate].state;
+    passage_note(w, &f->departures, slot, gate);
+    s->bodies++;
+    s->mass += w->shapes[w->bodies.shape[slot]].mass;
+    ledger_remove_body(w, slot);
+}
+
+static int by_id(const void *left, const void *right) {
+    return by_number(&((const traveller *)left)->id, &((const traveller *)right)->id);
+}
+
+/* Those of all processes; malloc'ed. */
+static traveller *gather_leaving(clast_world *w, size_t own, size_t *all) {
+    traveller *mine = malloc((own + 1) * sizeof *mine);
+    CLAST_ASSERT(mine);
+    for (size_t k = 0; k < own; k++)
+        mine[k] = ranks_body_at(w, (size_t)w->slot_of_id[w->flow->leaving[k]]);
+    traveller *leaving = ranks_gather(w, mine, own, sizeof *mine, all);
+    free(mine);
+    if (*all > 1) qsort(leaving, *all, sizeof *leaving, by_id);
+    return leaving;
+}
+
+/* Every process books all that leave: a body of another one stands here for that long. */
+static void leave_shared(clast_world *w, size_t own) {
+    size_t count;
+    traveller *leaving = gather_leaving(w, own, &count);
     for (size_t k = 0; k < count; k++) {
-        size_t slot = (size_t)w->slot_of_id[f->leaving[k]];
-        int gate = outlet_of(w, slot);
-        outlet_state *s = gate == CLAST_OUTLET_DOMAIN ? &f->domain : &f->outlets[gate].state;
-        passage_note(w, &f->departures, slot, gate);
-        s->bodies++;
-        s->mass += w->shapes[w->bodies.shape[slot]].mass;
-        ledger_remove_body(w, slot);
+        int32_t slot = w->slot_of_id[leaving[k].id];
+        if (slot >= 0) {
+            leave(w, (size_t)slot);
+            body_remove(w, (size_t)slot);
+            continue;
+        }
+        size_t guest = w->bodies.count;
+        body_reserve(w, guest + 1);
+        ranks_put_body(w, guest, &leaving[k]);
+        leave(w, guest);
+        w->slot_of_id[leaving[k].id] = -1;
+        w->counters.removed++;
+    }
+    free(leaving);
+}
+
+/* In the order of ids, so that the books do not depend on the order of storage. Histories must be
+ * carried, and ghosts forgotten. */
+void bodies_leave(clast_world *w) {
+    size_t count = find_leaving(w);
+    if (w->ranks) {
+        leave_shared(w, count);
+        return;
+    }
+    for (size_t k = 0; k < count; k++) {
+        size_t slot = (size_t)w->slot_of_id[w->flow->leaving[k]];
+        leave(w, slot);
         body_remove(w, slot);
     }
 }

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/flow.h"
-
 const rank_transport *ranks_transport;
 
 int clast_ranks_number(void) {
@@ -34,8 +32,6 @@ int ranks_beside(void) {
 static const char *what_is_refused(const clast_world *w) {
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG)
         return "a scheme beside the leapfrog runs on one process: it looks at all bodies at once";
-    if (w->flow->feed_count + w->flow->outlet_count > 0 || w->def.outside != CLAST_OUTSIDE_STOP)
-        return "bodies come and go on one process alone, so far";
     return NULL;
 }
 
@@ -56,6 +52,7 @@ clast_status ranks_join(clast_world *w) {
 void ranks_leave(clast_world *w) {
     ranks *r = w->ranks;
     if (!r) return;
+    for (int k = 0; k < RANK_READS; k++) free(r->read[k]);
     free(r->boxes), free(r->out_slot), free(r->in_slot), free(r->out), free(r->in);
     free(r->out_bodies), free(r->in_bodies), free(r->out_bytes), free(r->in_bytes);
     free(r);
@@ -84,6 +81,13 @@ void ranks_agree(clast_world *w, bool *stale) {
     double says[3] = {w->found.way, w->found.outside, *stale};
     w->ranks->by->reduce(says, 3, 0);
     w->found.way = says[0], w->found.outside = says[1] > 0, *stale = says[2] > 0;
+}
+
+void ranks_count_all(clast_world *w) {
+    double count[2] = {(double)w->bodies.count, (double)w->sphere_count};
+    if (!w->ranks) return;
+    w->ranks->by->reduce(count, 0, 2);
+    w->ranks->bodies = (size_t)count[0], w->ranks->spheres = (size_t)count[1];
 }
 
 bool ranks_speaks(const clast_world *w) {

@@ -42,6 +42,9 @@ typedef struct rank_box {
     double low[3], high[3];
 } rank_box;
 
+/* Columns that readers were given: bodies, then spheres. */
+enum { RANK_READS = 48 };
+
 typedef struct ranks {
     const rank_transport *by;
     rank_box *boxes;    /* of all processes */
@@ -53,6 +56,7 @@ typedef struct ranks {
     double *out, *in;               /* rows of a step */
     size_t out_numbers, in_numbers; /* room */
     size_t bodies, spheres;         /* of all */
+    void *read[RANK_READS];
     double waste, price; /* of the division so far, and of making another: ranks_divide.c */
     double ghosts_new;   /* of all, after the last division */
     uint64_t since;      /* step of the last rebuild that was looked at */
@@ -66,6 +70,7 @@ void ranks_reduce(const clast_world *w, double *values, int most, int sums);
 void ranks_sum(const clast_world *w, exact_sum *sums, int count);
 void ranks_add_words(const clast_world *w, uint64_t *words, int count);
 void ranks_agree(clast_world *w, bool *stale);
+void ranks_count_all(clast_world *w);
 bool ranks_speaks(const clast_world *w);
 clast_status ranks_agree_status(clast_world *w, clast_status status);
 /* The text of the process whose value is largest, the first of those; its number. */
@@ -88,6 +93,10 @@ double ranks_away(const clast_world *w, const rank_box *b, vec3 place);
 void ranks_forget_ghosts(clast_world *w);
 void ranks_list_ghosts(clast_world *w);
 void ranks_swap(clast_world *w);
+
+/* ranks_read.c */
+clast_bodies ranks_bodies(clast_world *w, clast_bodies own);
+clast_spheres ranks_spheres(clast_world *w, clast_spheres own);
 
 /* ranks_divide.c */
 void ranks_scatter(clast_world *w);

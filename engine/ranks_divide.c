@@ -214,6 +214,10 @@ void ranks_divide(clast_world *w) {
     ranks *r = w->ranks;
     const body_store *b = &w->bodies;
     CLAST_ASSERT(w->ghosts == 0 && w->arrived == 0);
+    r->waste = 0, r->ghosts_new = -1, r->since = w->step;
+    double all = (double)b->count;
+    r->by->reduce(&all, 0, 1);
+    if (all == 0) return;
     float *work = work_of_bodies(w);
     int *owner = malloc((b->count + 1) * sizeof *owner);
     CLAST_ASSERT(owner);
@@ -227,7 +231,6 @@ void ranks_divide(clast_world *w) {
     }
     free(work), free(owner);
     w->counters.divisions++;
-    r->waste = 0, r->ghosts_new = -1, r->since = w->step;
 }
 
 /* Every process has all bodies: it keeps an even piece, whichever, and the world is divided. */

@@ -1,8 +1,10 @@
 /* view.c - reading a world. Nothing here changes its state. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "engine/part.h"
+#include "engine/ranks.h"
 #include "engine/world.h"
 
 double clast_world_time(const clast_world *w) {
@@ -19,24 +21,39 @@ clast_bodies clast_world_bodies(clast_world *w) {
     CLAST_ASSERT(w);
     velocities_synchronise(w);
     const body_store *b = &w->bodies;
-    return (clast_bodies){.count = b->count,
-                          .id = b->id,
-                          .shape = b->shape,
-                          .x = b->x,
-                          .y = b->y,
-                          .z = b->z,
-                          .qw = b->qw,
-                          .qx = b->qx,
-                          .qy = b->qy,
-                          .qz = b->qz,
-                          .vx = w->view.vx,
-                          .vy = w->view.vy,
-                          .vz = w->view.vz,
-                          .wx = w->view.wx,
-                          .wy = w->view.wy,
-                          .wz = w->view.wz,
-                          .mass = w->view.mass,
-                          .image = {b->image[0], b->image[1], b->image[2]}};
+    clast_bodies own = {.count = b->count,
+                        .id = b->id,
+                        .shape = b->shape,
+                        .x = b->x,
+                        .y = b->y,
+                        .z = b->z,
+                        .qw = b->qw,
+                        .qx = b->qx,
+                        .qy = b->qy,
+                        .qz = b->qz,
+                        .vx = w->view.vx,
+                        .vy = w->view.vy,
+                        .vz = w->view.vz,
+                        .wx = w->view.wx,
+                        .wy = w->view.wy,
+                        .wz = w->view.wz,
+                        .mass = w->view.mass,
+                        .image = {b->image[0], b->image[1], b->image[2]}};
+    return ranks_bodies(w, own);
+}
+
+uint32_t *bodies_by_id(const clast_world *w, const clast_bodies *b) {
+    uint32_t *place = malloc((w->next_id + b->count + 1) * sizeof *place);
+    CLAST_ASSERT(place);
+    uint32_t *order = place + w->next_id; /* of the same piece, and moved to its front */
+    size_t n = 0;
+    for (uint32_t id = 0; id < w->next_id; id++) place[id] = UINT32_MAX;
+    for (size_t i = 0; i < b->count; i++) place[b->id[i]] = (uint32_t)i;
+    for (uint32_t id = 0; id < w->next_id; id++)
+        if (place[id] != UINT32_MAX) order[n++] = place[id];
+    CLAST_ASSERT(n == b->count);
+    memmove(place, order, n * sizeof *place);
+    return place;
 }
 
 static void reserve_spheres(clast_world *w) {
@@ -59,8 +76,9 @@ clast_spheres clast_world_spheres(clast_world *w) {
         w->view.radius[i] = c->radius;
         w->view.body[i] = (int32_t)body_of_sphere(w, i);
     }
-    return (clast_spheres){w->sphere_count, w->view.sx,     w->view.sy,
-                           w->view.sz,      w->view.radius, w->view.body};
+    clast_spheres own = {w->sphere_count, w->view.sx,     w->view.sy,
+                         w->view.sz,      w->view.radius, w->view.body};
+    return ranks_spheres(w, own);
 }
 
 size_t clast_world_contacts(clast_world *w, clast_contact *contacts, size_t room) {
@@ -177,10 +195,10 @@ clast_plan clast_world_plan(const clast_world *w) {
 clast_counters clast_world_counters(const clast_world *w) {
     clast_counters c = w->counters;
     c.steps = w->step;
-    c.bodies = w->bodies.count;
-    c.spheres = w->sphere_count;
+    c.bodies = w->ranks ? w->ranks->bodies : w->bodies.count;
+    c.spheres = w->ranks ? w->ranks->spheres : w->sphere_count;
     if (!w->integrator) c.force_evaluations = w->step;
-    for (int t = 0; t < w->threads; t++) {
+    for (int t = 0; t < w->lists; t++) {
         const share *s = &w->shares[t];
         c.pairs += s->reach.count + s->wall_reach.count;
         c.candidates += s->contacts.count + s->walls.count;

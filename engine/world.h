@@ -32,6 +32,7 @@ void bodies_leave(clast_world *w);
 
 /* body.c */
 size_t body_store_new(clast_world *w, const clast_body_def *def);
+void body_forget_arrived(clast_world *w, size_t slot);
 void body_reserve(clast_world *w, size_t count);
 void body_permute(clast_world *w, const uint32_t *order);
 void body_remove(clast_world *w, size_t slot);
@@ -143,6 +144,9 @@ void shares_free(clast_world *w);
 void reach_build(clast_world *w, share *s);
 void lists_rebuild(clast_world *w);
 void lists_refresh(clast_world *w);
+/* view.c: places in columns of readers, in the order of ids; malloc'ed. */
+uint32_t *bodies_by_id(const clast_world *w, const clast_bodies *b);
+
 contact_record record_of(const clast_world *w, const contact_list *l, size_t k, bool with_wall);
 int record_compare(const void *left, const void *right);
 void records_collect(clast_world *w);

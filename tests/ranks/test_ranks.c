@@ -1,58 +1,167 @@
-/* Started by mpirun: every scene has the same hash on one process and shared by all of them.
+/* Started by mpirun: every scene has the same bits on one process and shared by all of them, for
+ * who reads it too, and going on from a checkpoint of either.
  *
- *     mpirun -n 4 ranks_test [SCENE...] */
+ *     mpirun -n 4 ranks_test [--all] [SCENE...]     --all: with 1 and 2 threads each */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "tests/ranks/crowd.h"
 
-static uint64_t hash_after(const crowd *c, bool alone, int threads) {
-    clast_world *w = crowd_new(c, alone, threads);
-    for (uint64_t i = 0; i < c->steps; i++)
-        if (clast_world_step(w) != CLAST_OK) {
-            fprintf(stderr, "%s, process %d: %s\n", c->name, clast_ranks_number(),
-                    clast_world_error(w));
-            return 0;
+static bool failed_step(clast_world *w, const char *name) {
+    if (clast_world_step(w) == CLAST_OK) return false;
+    fprintf(stderr, "%s, process %d: %s\n", name, clast_ranks_number(), clast_world_error(w));
+    return true;
+}
+
+/* ---- what readers see --------------------------------------------------------------------------
+ */
+
+static void mix(uint64_t *hash, const void *bytes, size_t size) {
+    const unsigned char *from = bytes;
+    for (size_t i = 0; i < size; i++) *hash = (*hash ^ from[i]) * 0x100000001b3u;
+}
+
+static void mix_contacts(uint64_t *hash, clast_world *w) {
+    size_t count = clast_world_contacts(w, NULL, 0);
+    clast_contact *c = calloc(count + 1, sizeof *c);
+    if (!c) abort();
+    clast_world_contacts(w, c, count);
+    mix(hash, c, count * sizeof *c);
+    free(c);
+}
+
+/* Bodies by id, and how many spheres each has where. */
+static void mix_bodies(uint64_t *hash, clast_world *w) {
+    clast_bodies b = clast_world_bodies(w);
+    clast_spheres s = clast_world_spheres(w);
+    uint64_t sum = 0;
+    size_t e = 0;
+    for (size_t i = 0; i < b.count; i++) {
+        uint64_t one = b.id[i];
+        const double numbers[] = {b.x[i],  b.y[i],  b.z[i],  b.qw[i], b.qx[i], b.qy[i], b.qz[i],
+                                  b.vx[i], b.vy[i], b.vz[i], b.wx[i], b.wy[i], b.wz[i], b.mass[i]};
+        mix(&one, numbers, sizeof numbers);
+        mix(&one, &b.shape[i], sizeof b.shape[i]);
+        for (int k = 0; k < 3; k++)
+            if (b.image[k]) mix(&one, &b.image[k][i], sizeof b.image[k][i]);
+        for (; e < s.count && (size_t)s.body[e] == i; e++) {
+            const double place[] = {s.x[e], s.y[e], s.z[e], s.radius[e]};
+            mix(&one, place, sizeof place);
         }
+        sum += one;
+    }
+    if (e != s.count) printf("spheres are not in the order of bodies\n");
+    mix(hash, &sum, sizeof sum);
+    mix(hash, &b.count, sizeof b.count);
+}
+
+static void mix_flow(uint64_t *hash, clast_world *w) {
+    clast_passage p;
+    for (int in = 0; in < 2; in++)
+        while (in ? clast_world_arrivals(w, &p, 1) : clast_world_departures(w, &p, 1)) {
+            const double numbers[] = {p.id,         p.shape,      p.gate,       p.mass,
+                                      p.position.x, p.position.y, p.position.z, p.velocity.x,
+                                      p.velocity.y, p.velocity.z, p.time};
+            mix(hash, numbers, sizeof numbers);
+        }
+}
+
+static uint64_t reading_of(clast_world *w) {
     uint64_t hash = clast_world_hash(w);
-    clast_counters k = clast_world_counters(w);
-    if (!alone)
-        printf("  process %d: %zu ghosts, %llu messages, %.3g MB, %llu divisions, %llu migrated\n",
-               clast_ranks_number(), k.ghosts, (unsigned long long)k.messages,
-               1e-6 * (double)k.message_bytes, (unsigned long long)k.divisions,
-               (unsigned long long)k.migrated);
-    clast_world_free(w);
+    clast_energy e = clast_world_energy(w);
+    mix(&hash, &e, sizeof e);
+    mix_bodies(&hash, w);
+    mix_contacts(&hash, w);
+    mix_flow(&hash, w);
+    for (int i = 0; i < clast_world_part_count(w); i++) {
+        clast_part_load load = clast_world_part_load(w, i);
+        mix(&hash, &load, sizeof load);
+    }
+    clast_counters c = clast_world_counters(w);
+    const size_t counts[] = {c.bodies, c.spheres, c.contacts, c.removed, c.fed};
+    mix(&hash, counts, sizeof counts);
     return hash;
 }
 
-/* Asked alone by the first process, which tells the others. */
-static int faults_of(const crowd *c) {
-    int faults = 0;
-    uint64_t want = clast_ranks_number() == 0 ? hash_after(c, true, 1) : 0;
-    clast_ranks_tell(&want, sizeof want);
-    for (int threads = 1; threads <= 2; threads++) {
-        uint64_t got = hash_after(c, false, threads);
-        double differs = clast_ranks_most(got != want || want == 0);
-        faults += differs > 0;
-        if (clast_ranks_number() == 0)
-            printf("%-10s %d processes x %d threads: 0x%016llx %s\n", c->name, clast_ranks_count(),
-                   threads, (unsigned long long)got, differs > 0 ? "DIFFERS" : "same");
-        fflush(stdout);
+/* ---- a scene
+ * ------------------------------------------------------------------------------------- */
+
+typedef struct course {
+    uint64_t half, end; /* readings */
+} course;
+
+/* From the start, or from a checkpoint at half its steps; leaves one there. */
+static course run(const crowd *c, bool alone, int threads, const char *from, const char *to) {
+    course all = {0, 0};
+    clast_world *w = crowd_new(c, alone, threads);
+    if (from && clast_checkpoint_load(w, from, NULL) != CLAST_OK) {
+        fprintf(stderr, "%s: %s\n", c->name, clast_world_error(w));
+        clast_world_free(w);
+        return all;
     }
+    while (clast_world_steps(w) < c->steps / 2)
+        if (failed_step(w, c->name)) break;
+    if (to && clast_checkpoint_save(w, to, NULL) != CLAST_OK)
+        fprintf(stderr, "%s: %s\n", c->name, clast_world_error(w));
+    all.half = reading_of(w);
+    while (clast_world_steps(w) < c->steps)
+        if (failed_step(w, c->name)) break;
+    all.end = reading_of(w);
+    clast_world_free(w);
+    return all;
+}
+
+static bool differs(course a, course b) {
+    return clast_ranks_most(a.half != b.half || a.end != b.end || a.end == 0) > 0;
+}
+
+static int report(const crowd *c, int threads, const char *how, bool bad) {
+    if (clast_ranks_number() == 0)
+        printf("%-10s %d x %d, %s: %s\n", c->name, clast_ranks_count(), threads, how,
+               bad ? "DIFFERS" : "same");
+    fflush(stdout);
+    return bad;
+}
+
+/* The first process runs it alone and tells the others what to expect. */
+static int faults_of(const crowd *c, int from, int to) {
+    char ours[64], theirs[64];
+    int faults = 0, self = (int)getpid();
+    clast_ranks_tell(&self, sizeof self);
+    snprintf(ours, sizeof ours, "ranks-%d-shared.h5", self);
+    snprintf(theirs, sizeof theirs, "ranks-%d-alone.h5", self);
+    course want = {0, 0};
+    if (clast_ranks_number() == 0) want = run(c, true, 1, NULL, theirs);
+    clast_ranks_tell(&want, sizeof want);
+    for (int threads = from; threads <= to; threads++) {
+        course got = run(c, false, threads, NULL, ours);
+        faults += report(c, threads, "shared", differs(got, want));
+    }
+    course got = run(c, false, 1, theirs, NULL);
+    got.half = want.half; /* of the passages, some have been read before */
+    faults += report(c, 1, "resumed from one", clast_ranks_most(got.end != want.end) > 0);
+    if (clast_ranks_number() == 0) got = run(c, true, 1, ours, NULL);
+    clast_ranks_tell(&got, sizeof got);
+    faults += report(c, 1, "one resumed from it", got.end != want.end);
+    if (clast_ranks_number() == 0) remove(ours), remove(theirs);
     return faults;
 }
 
-static bool is_asked(const crowd *c, int argc, char **argv) {
-    for (int i = 1; i < argc; i++)
+static bool is_asked(const crowd *c, int argc, char **argv, int first) {
+    for (int i = first; i < argc; i++)
         if (strcmp(argv[i], c->name) == 0) return true;
-    return argc < 2;
+    return argc == first;
 }
 
 int main(int argc, char **argv) {
     if (clast_ranks_begin() != CLAST_OK) return 2;
+    bool all = argc > 1 && strcmp(argv[1], "--all") == 0;
     int faults = 0;
     for (int i = 0; i < CROWD_COUNT; i++)
-        if (is_asked(&CROWDS[i], argc, argv)) faults += faults_of(&CROWDS[i]);
+        if (is_asked(&CROWDS[i], argc, argv, all ? 2 : 1))
+            faults += faults_of(&CROWDS[i], all ? 1 : 1 + i % 2, all ? 2 : 1 + i % 2);
     clast_ranks_end();
     return faults > 0;
 }

@@ -71,7 +71,7 @@ static clast_world *new_world_of(const bed_wish *wish) {
     def.precision = wish->precision, def.tangent = wish->tangent;
     def.clump_contact = wish->clump_contact;
     def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
-    def.scheme = wish->scheme;
+    def.scheme = wish->scheme, def.alone = wish->alone;
     if (wish->scheme != CLAST_SCHEME_LEAPFROG) def.max_residual = 1e9; /* of first order, some */
     def.rayleigh_fraction = 1, def.contact_resolution = 11, def.impact_speed = 2.5;
     def.gravity.z = -30, def.max_overlap = 0.3, def.max_displacement = 0.5,

@@ -8,6 +8,7 @@
 typedef struct bed_wish {
     int threads;
     double skin; /* m; 0 = default */
+    bool alone;  /* among several processes */
     clast_isa isa;
     clast_law law;
     clast_motion motion;
