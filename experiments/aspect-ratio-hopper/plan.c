@@ -166,18 +166,20 @@ static void plan_in_space(aspect_study *s, int replicate) {
                       .shape = shape, .setting = CHEAP, .replicate = replicate, .in_space = true});
 }
 
-/* A study that is cut off has what matters most: the source's own, its replicates, shape against
- * roughness (with touching chains of two that share a dashpot, variant 1, beside them), three
- * dimensions, assumptions. */
+/* A study that is cut off has what matters most: so many replicates that there is an interval, the
+ * source's own setting, more replicates, shape against roughness (with touching chains of two that
+ * share a dashpot, variant 1, beside them), three dimensions, assumptions. */
 void aspect_plan(aspect_study *s) {
     const aspect_size *z = s->size;
-    const int smooth_five = SHAPES - 2;
+    const int smooth_five = SHAPES - 2, few = 3;
     s->beds = calloc(CASES_MAX, sizeof *s->beds);
     s->rests = calloc(CASES_MAX, sizeof *s->rests);
     s->flows = calloc(CASES_MAX, sizeof *s->flows);
     if (!s->beds || !s->rests || !s->flows) abort();
+    for (int k = 0; k < z->replicates[CHEAP] && k < few; k++)
+        plan_set(s, CHEAP, k, 0, MAIN_SHAPES - 1);
     for (int k = 0; k < z->replicates[THESIS]; k++) plan_set(s, THESIS, k, 0, MAIN_SHAPES - 1);
-    for (int k = 0; k < z->replicates[CHEAP]; k++) plan_set(s, CHEAP, k, 0, MAIN_SHAPES - 1);
+    for (int k = few; k < z->replicates[CHEAP]; k++) plan_set(s, CHEAP, k, 0, MAIN_SHAPES - 1);
     for (int k = 0; k < z->further; k++) {
         plan_set(s, CHEAP, k, SHAPES - 1, SHAPES - 1);
         plan_set(s, CHEAP, k, MAIN_SHAPES, smooth_five - 1);
