@@ -101,6 +101,11 @@ static void lay_floor(columns *c, const stage *s, double time) {
     }
 }
 
+/* Where the last bar draws back there is no floor: no part of the stretch. */
+static void leave_out_what_has_no_floor(columns *c) {
+    while (c->nx > 1 && isinf(c->floor[c->nx - 1])) c->nx--;
+}
+
 /* ---- the surface ----------------------------------------------------------------------------- */
 
 static void cover(columns *c, const double *p, double radius) {
@@ -148,8 +153,9 @@ static double mean_height(const columns *c) {
 
 static bed_look look_at(columns *c, const stage *s, const frame *f) {
     bed_look l = {0};
-    double solid = 0, length = c->nx * c->cell;
     lay_floor(c, s, f->time);
+    leave_out_what_has_no_floor(c);
+    double solid = 0, length = c->nx * c->cell;
     for (int i = 0; i < c->nx; i++)
         for (int k = 0; k < c->ny; k++) c->surface[i * c->ny + k] = c->floor[i];
     for (size_t i = 0; i < f->spheres; i++) {

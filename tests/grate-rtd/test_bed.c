@@ -103,14 +103,14 @@ static void a_row_on_the_floor(void **state) {
     check_row(case_named("packing 1"), &s, 0);
 }
 
-/* A plate 10 mm above the line of the backward grate, and one below it that is not felt. */
-static void a_row_on_a_bar(void **state) {
-    (void)state;
+/* A plate 10 mm above the line of the backward grate up to x = `end`, and one below it that is not
+ * felt. */
+static void check_row_on_a_bar(double end) {
     const grate_case *c = case_named("backward wood");
     double vertex[24], slope = case_slope(c);
     uint32_t triangle[12] = {0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6};
     for (int i = 0; i < 8; i++) {
-        double x = i % 2 ? 2 : -1, z = i < 4 ? 0.01 : -0.03;
+        double x = i % 2 ? end : -1, z = i < 4 ? 0.01 : -0.03;
         vertex[3 * i] = x * cos(slope) - z * sin(slope);
         vertex[3 * i + 1] = i / 2 % 2 ? 0.05 : -0.04;
         vertex[3 * i + 2] = x * sin(slope) + z * cos(slope);
@@ -122,7 +122,18 @@ static void a_row_on_a_bar(void **state) {
     check_row(c, &s, 0.01);
 }
 
+static void a_row_on_a_bar(void **state) {
+    (void)state;
+    check_row_on_a_bar(2);
+}
+
+/* The last bar draws back: what is left counts. */
+static void a_row_on_a_bar_that_ends_early(void **state) {
+    (void)state;
+    check_row_on_a_bar(0.7);
+}
+
 TEST_MAIN(cmocka_unit_test(errors_of_two_runs_add_up), cmocka_unit_test(bars_lie_on_each_other),
           cmocka_unit_test(bulk_densities_of_the_source),
           cmocka_unit_test(sampling_takes_the_middles), cmocka_unit_test(a_row_on_the_floor),
-          cmocka_unit_test(a_row_on_a_bar))
+          cmocka_unit_test(a_row_on_a_bar), cmocka_unit_test(a_row_on_a_bar_that_ends_early))
