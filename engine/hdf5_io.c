@@ -310,6 +310,7 @@ clast_status h5_publish(h5_file *f) {
 void h5_free(h5_file *f) {
     if (!f) return;
     if (f->id >= 0) H5Fclose(f->id);
+    H5garbage_collect(); /* it keeps a megabyte of free blocks otherwise */
     if (f->writing && !f->published && !f->mute) remove(f->temporary);
     free(f->path);
     free(f->temporary);

@@ -263,6 +263,7 @@ static void tune(clast_world *w, uint64_t since_reach) {
 /* Needs the contacts that touched at the last evaluation to be carried. */
 void lists_rebuild(clast_world *w) {
     tune(w, w->step - w->steps_reach);
+    way_forget(w);
     if (w->bodies.count > 0) cells_sort(w, 2 * w->largest_bound + w->skin);
     w->cells.bodies = w->bodies.count;
     ranks_list_ghosts(w);

@@ -75,6 +75,8 @@ typedef struct newton_store {
     size_t rank_room, rows;
     double *residual, *move, *last; /* kg m, m, m made last: three per row, by rank */
     double *reach;   /* m that a body may move, iterations that it has gone on: two per row */
+    double *base;    /* m: the best places so far, where they are searched for; by rank */
+    double missed, part; /* kg2 m2, the square of the residual there; of the ways from there */
     double *scratch; /* of the linear solver */
     size_t row_room;
     double *history; /* m, largest move made in each iteration of the last step */

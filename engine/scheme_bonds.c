@@ -186,6 +186,6 @@ void bonds_assemble(clast_world *w, const clast_scheme_info *info) {
 void bonds_free(newton_store *n) {
     memory_release(n->bonds), memory_release(n->rank), memory_release(n->history);
     memory_release(n->residual), memory_release(n->move), memory_release(n->last);
-    memory_release(n->reach), memory_release(n->scratch);
+    memory_release(n->reach), memory_release(n->base), memory_release(n->scratch);
     sparse_free(&n->matrix);
 }

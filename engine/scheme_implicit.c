@@ -23,9 +23,9 @@ static void reserve(clast_world *w) {
     size_t rows = w->bodies.count, limit = (size_t)w->def.newton_iterations;
     if (!n->history) n->history = memory_grow(w, NULL, 0, limit, sizeof *n->history);
     if (rows <= n->row_room) return;
-    double **columns[] = {&n->residual, &n->move, &n->last, &n->reach, &n->scratch};
-    size_t width[] = {3, 3, 3, 2, SPARSE_SCRATCH};
-    for (int k = 0; k < 5; k++)
+    double **columns[] = {&n->residual, &n->move, &n->last, &n->base, &n->reach, &n->scratch};
+    size_t width[] = {3, 3, 3, 3, 2, SPARSE_SCRATCH};
+    for (int k = 0; k < 6; k++)
         *columns[k] =
             memory_grow(w, *columns[k], width[k] * n->row_room, width[k] * rows, sizeof(double));
     n->row_room = rows;
@@ -118,17 +118,69 @@ static double move_bodies(clast_world *w) {
 
 /* ---- Newton's method ------------------------------------------------------------------------- */
 
-static void iterate(clast_world *w) {
+/* Iterations in which bodies are held one by one. Where these go round in circles, since what holds
+ * one body is a push to its neighbours, all bodies go the same part of their ways after them. */
+enum { HELD_ITERATIONS = 40 };
+
+static void solve(clast_world *w) {
     newton_store *n = &w->integrator->newton;
-    evaluate(w);
-    bonds_rank(w);
-    find_residual(w);
     bonds_assemble(w, w->integrator->info);
     double tolerance = 1e-3 * w->def.newton_tolerance * w->smallest_radius;
     bool relax = w->def.linear_solver == CLAST_SOLVER_GAUSS_SEIDEL;
-    sparse_solver *solve = relax ? sparse_gauss_seidel : sparse_conjugate_gradient;
+    sparse_solver *solver = relax ? sparse_gauss_seidel : sparse_conjugate_gradient;
     memset(n->move, 0, 3 * n->rows * sizeof *n->move);
-    w->counters.linear_iterations += solve(&n->matrix, n->residual, n->move, n->scratch, tolerance);
+    w->counters.linear_iterations +=
+        solver(&n->matrix, n->residual, n->move, n->scratch, tolerance);
+}
+
+static void keep_base(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        double *to = n->base + 3 * (size_t)n->rank[w->bodies.id[i]];
+        to[0] = w->bodies.x[i], to[1] = w->bodies.y[i], to[2] = w->bodies.z[i];
+    }
+}
+
+/* Returns how far the body goes that goes farthest (m). */
+static double go_part(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    double most = 0;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        size_t row = 3 * (size_t)n->rank[w->bodies.id[i]];
+        vec3 way = v3_scale(n->part, v3_of(n->move + row));
+        n->last[row] = way.x, n->last[row + 1] = way.y, n->last[row + 2] = way.z;
+        body_place(w, i, v3_add(v3_of(n->base + row), way));
+        if (!(v3_norm(way) <= most) && most == most) most = v3_norm(way);
+    }
+    return most;
+}
+
+/* Newton's method with a search along its direction: a place that misses less than the best so far
+ * becomes the base of the next direction, else half of the way is tried. At a jump of the force no
+ * place misses nothing, and the way shrinks until it is as good as none. */
+static double search(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    bool first = n->iterations == HELD_ITERATIONS;
+    double missed = 0;
+    for (size_t k = 0; k < 3 * n->rows; k++) missed += n->residual[k] * n->residual[k];
+    if (first || missed < n->missed) {
+        n->missed = missed;
+        n->part = first ? 1 : fmin(2 * n->part, 1);
+        keep_base(w);
+        solve(w);
+    } else {
+        n->part *= 0.5;
+    }
+    return go_part(w);
+}
+
+static double iterate(clast_world *w) {
+    evaluate(w);
+    bonds_rank(w);
+    find_residual(w);
+    if (w->integrator->newton.iterations >= HELD_ITERATIONS) return search(w);
+    solve(w);
+    return move_bodies(w);
 }
 
 static void find_root(clast_world *w) {
@@ -139,8 +191,8 @@ static void find_root(clast_world *w) {
     n->converged = false;
     n->iterations = 0;
     while (n->iterations < w->def.newton_iterations && !n->converged && way < INFINITY) {
-        iterate(w);
-        n->history[n->iterations++] = way = move_bodies(w);
+        way = iterate(w);
+        n->history[n->iterations++] = way;
         n->converged = way <= tolerance;
     }
 }

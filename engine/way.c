@@ -39,19 +39,27 @@ static void remember_share(void *context, int thread) {
     }
 }
 
-/* The lists have been made: the contact list, and the reach list too where its bound is zero. Room
- * for the places is taken at the first time after the start, when a large state has been read. */
+/* Before the reach list is made anew: no other stage needs as much memory. */
+void way_forget(clast_world *w) {
+    way_store *o = &w->way;
+    memory_return(w, o->capacity * sizeof *o->places);
+    memory_release(o->places);
+    o->places = NULL;
+    o->capacity = 0;
+    o->knows_reach = o->knows_contacts = false;
+}
+
+/* The lists have been made: the contact list, and the reach list too where its bound is zero. Not
+ * at the start, when a large state has just been read. */
 void way_remember(clast_world *w) {
+    way_store *o = &w->way;
     if (!w->prepared || w->integrator) return;
-    size_t spheres = w->sphere_count + w->ghost_spheres;
-    if (spheres > w->way.capacity) {
-        size_t old = w->way.capacity * sizeof(kept_place), now = spheres * sizeof(kept_place);
-        w->way.places = memory_lines(w, w->way.places, old, now);
-        w->way.capacity = spheres;
-        w->way.knows_reach = false;
+    if (!o->places) {
+        o->capacity = w->sphere_count + w->ghost_spheres;
+        o->places = memory_lines(w, NULL, 0, o->capacity * sizeof *o->places);
     }
-    if (w->way.reach.bound == 0) w->way.knows_reach = true;
-    w->way.knows_contacts = true;
+    if (o->reach.bound == 0) o->knows_reach = true;
+    o->knows_contacts = true;
     parallel_run(w->threads, remember_share, w);
 }
 

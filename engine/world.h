@@ -176,6 +176,7 @@ typedef struct way_verdict {
 
 way_verdict way_judge(clast_world *w);
 void way_restart(clast_world *w, bool reach);
+void way_forget(clast_world *w);
 void way_remember(clast_world *w);
 
 /* scheme_columns.c, scheme_step.c: schemes beside the leapfrog */

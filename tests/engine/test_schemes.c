@@ -170,7 +170,7 @@ static bed_wish wish_of(int scheme) {
                       .motion = scheme % 2 ? CLAST_MOTION_IN_PLANE : CLAST_MOTION_3D};
 }
 
-enum { STEPS = 750 }; /* the bed has landed and one of its parts is gone */
+enum { STEPS = 1000 }; /* the bed has landed and one of its parts is gone */
 
 static void the_bed_is_worth_it(void **state) {
     (void)state;

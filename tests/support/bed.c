@@ -92,8 +92,7 @@ clast_world *bed_new(const bed_wish *wish) {
     int shapes[4] = {clast_shape_add_sphere(w, "ball", 0.0043, m), add_clump(w, m, 0.0029, 2),
                      add_clump(w, m, 0.0021, 3), add_clump(w, m, 0.0019, 5)};
     add_walls(w, m);
-    if (wish->scheme == CLAST_SCHEME_LEAPFROG) add_paddle(w, m); /* Newton's method may not
-                                                                    converge where it strikes */
+    add_paddle(w, m);
     int bodies = wish->bodies ? wish->bodies : 63, columns = 7;
     for (int i = 0; i < bodies; i++) {
         uint64_t n = (uint64_t)i;
