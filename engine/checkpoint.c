@@ -610,7 +610,7 @@ clast_status clast_checkpoint_load(clast_world *w, const char *path, char **note
     if (status != CLAST_OK) return status;
     saved s = {0};
     char *text = NULL;
-    status = read_file(w, path, &s, &text, false);
+    status = ranks_agree_status(w, read_file(w, path, &s, &text, false));
     if (status == CLAST_OK) status = check_and_install(w, path, &s);
     saved_free(&s);
     if (note && status == CLAST_OK)

@@ -19,8 +19,9 @@ static const char HELP[] =
     "  --set NAME=V    give a parameter of the scene another value; may be said many times\n"
     "  --until T       end at T seconds instead of the scene's own end\n"
     "  --quiet         print the last line alone\n\n"
-    "The last line is the hash of the final state: the same for any number of threads, any --isa,\n"
-    "and after any number of stops. Ctrl-C saves everything and ends with exit code 130.\n\n"
+    "Started by mpirun, processes share the scene: mpirun -n 4 clast run ...\n\n"
+    "The last line is the hash of the final state: the same for any number of threads and\n"
+    "processes, any --isa, and after any number of stops. Ctrl-C saves everything and ends with exit code 130.\n\n"
     "example: clast run hopper.yaml --out build/hopper --set orifice='8.5 cm'\n"
     "         clast run hopper.yaml --out build/hopper --resume --until 5\n";
 
@@ -57,7 +58,8 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
                           : a->run.resume && a->run.force
                               ? "--resume and --force exclude each other"
                               : NULL;
-    if (missing) fprintf(stderr, "clast run: %s\n`clast run --help` has an example\n", missing);
+    if (missing && clast_ranks_number() == 0)
+        fprintf(stderr, "clast run: %s\n`clast run --help` has an example\n", missing);
     return !missing;
 }
 
@@ -92,11 +94,12 @@ int cmd_run(int argc, char **argv) {
     }
     char *faults = NULL;
     scene *s = scene_load(a.scene, &a.load, &faults);
-    if (faults) fputs(faults, stderr);
+    bool speaks = clast_ranks_number() == 0;
+    if (faults && speaks) fputs(faults, stderr);
     free(faults);
     if (!s) return CLAST_EXIT_BAD_SCENE;
     run_report r = run_scene(s, &a.run);
-    if (r.message[0]) fprintf(stderr, "clast run: %s\n", r.message);
+    if (r.message[0] && speaks) fprintf(stderr, "clast run: %s\n", r.message);
     scene_free(s);
     return exit_of(r.end);
 }

@@ -74,6 +74,17 @@ static int unknown(const char *name) {
     return CLAST_EXIT_USAGE;
 }
 
+/* A run is shared by all processes, of which the first one speaks; the rest is its own affair. */
+static int run_command(const command *c, int argc, char **argv) {
+    if (clast_ranks_begin() != CLAST_OK) return CLAST_EXIT_USAGE;
+    bool others = clast_ranks_number() > 0;
+    if (others && !freopen("/dev/null", "w", stdout)) return CLAST_EXIT_FILE;
+    if (c->run != cmd_run) clast_ranks_end();
+    int code = others && c->run != cmd_run ? CLAST_EXIT_OK : c->run(argc, argv);
+    clast_ranks_end();
+    return code;
+}
+
 int main(int argc, char **argv) {
     if (argc < 2) {
         fprintf(stderr, "clast: which command?\n`clast --help` lists them\n");
@@ -89,6 +100,7 @@ int main(int argc, char **argv) {
         return CLAST_EXIT_OK;
     }
     for (int i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(argv[1], COMMANDS[i].name) == 0) return COMMANDS[i].run(argc - 1, argv + 1);
+        if (strcmp(argv[1], COMMANDS[i].name) == 0)
+            return run_command(&COMMANDS[i], argc - 1, argv + 1);
     return unknown(argv[1]);
 }

@@ -18,7 +18,7 @@ void progress_start(progress *p, run_talk talk, uint64_t first_step, uint64_t la
                     .first_step = first_step,
                     .last_step = last_step,
                     .shown_step = first_step,
-                    .terminal = isatty(STDOUT_FILENO) == 1};
+                    .terminal = clast_ranks_count() == 1 && isatty(STDOUT_FILENO) == 1};
     p->started = p->shown = clock_seconds();
 }
 
@@ -33,7 +33,8 @@ static void print_duration(double seconds) {
         printf("%ld s", s);
 }
 
-static void show(progress *p, clast_world *w, double now) {
+void progress_show(progress *p, clast_world *w) {
+    double now = clock_seconds();
     uint64_t step = clast_world_steps(w);
     double rate = (double)(step - p->first_step) / fmax(now - p->started, 1e-9);
     double done = p->last_step > 0 ? 100 * (double)step / (double)p->last_step : 100;
@@ -50,11 +51,11 @@ static void show(progress *p, clast_world *w, double now) {
     p->shown_step = step;
 }
 
-void progress_step(progress *p, clast_world *w) {
-    if (p->talk != RUN_TALK || clast_world_steps(w) >= p->last_step) return;
+bool progress_is_due(const progress *p, const clast_world *w) {
+    if (p->talk != RUN_TALK || clast_world_steps(w) >= p->last_step) return false;
     double now = clock_seconds(), waited = now - p->shown;
     bool tenth = clast_world_steps(w) - p->shown_step >= (p->last_step - p->first_step) / 10;
-    if (p->terminal ? waited > 0.2 : waited > 10 || (tenth && waited > 1)) show(p, w, now);
+    return p->terminal ? waited > 0.2 : waited > 10 || (tenth && waited > 1);
 }
 
 void progress_stop(progress *p) {
@@ -91,8 +92,10 @@ void report_plan(const scene *s, const run_options *o) {
            walls == 1 ? "" : "s", parts, parts == 1 ? "" : "s");
     printf("step    %.4g s: %.3g per contact at %.3g m/s (Rayleigh %.3g s, critical %.3g s)\n",
            p.time_step, p.resolution, p.impact_speed, p.rayleigh_step, p.critical_step);
-    printf("kernel  %s; %s, %d thread%s\n", p.kernel ? p.kernel : "general", p.isa ? p.isa : "?",
+    printf("kernel  %s; %s, %d thread%s", p.kernel ? p.kernel : "general", p.isa ? p.isa : "?",
            p.threads, p.threads == 1 ? "" : "s");
+    if (clast_ranks_count() > 1) printf(" in each of %d processes", clast_ranks_count());
+    putchar('\n');
     report_feeds(s->world);
     printf("until   %.6g s", s->ending.latest);
     if (s->ending.rest_for > 0)
@@ -129,6 +132,12 @@ void report_costs(const scene *s, double seconds, uint64_t steps) {
     printf("%llu steps, %.3g steps/s, %llu rebuilds, %zu pairs, %zu candidates, %zu contacts\n",
            (unsigned long long)steps, (double)steps / fmax(seconds, 1e-9),
            (unsigned long long)c.rebuilds, c.pairs, c.candidates, c.contacts);
+    if (clast_ranks_count() > 1)
+        printf("the first of %d processes: %zu ghosts, %.3g messages and %.3g kB per step, "
+               "%llu divisions of the world\n",
+               clast_ranks_count(), c.ghosts, (double)c.messages / fmax((double)steps, 1),
+               1e-3 * (double)c.message_bytes / fmax((double)steps, 1),
+               (unsigned long long)c.divisions);
     printf("overlap max %.3g of a radius, %zu bodies left, engine memory %.1f MB\n", c.overlap_max,
            c.removed, 1e-6 * (double)c.bytes);
     fflush(stdout);

@@ -15,7 +15,8 @@ typedef struct progress {
 double clock_seconds(void);
 
 void progress_start(progress *p, run_talk talk, uint64_t first_step, uint64_t last_step);
-void progress_step(progress *p, clast_world *w);
+bool progress_is_due(const progress *p, const clast_world *w);
+void progress_show(progress *p, clast_world *w);
 void progress_stop(progress *p); /* ends an open line */
 
 /* Before and after: what was picked, and what it cost. */

@@ -33,6 +33,7 @@ typedef struct run {
     uint64_t loaded_step;          /* of the checkpoint that was resumed */
     bool extra_row, extra_frame;   /* at the last step: the end of the run, not due */
     bool loaded_row, loaded_frame; /* the same of the checkpoint that was resumed */
+    bool stop;                     /* that several processes have agreed on */
     run_report report;
 } run;
 
@@ -85,6 +86,43 @@ static bool ends(run *r, run_end end, const char *format, ...) {
     return false;
 }
 
+/* ---- several processes -------------------------------------------------------------------------
+ * All do the same in the same order; the first one has the files. What it meets there all know. */
+
+static bool speaks(void) {
+    return clast_ranks_number() == 0;
+}
+
+static bool agreed(run *r, bool good) {
+    if (clast_ranks_count() == 1) return good;
+    clast_ranks_tell(&good, sizeof good);
+    clast_ranks_tell(&r->report, sizeof r->report);
+    return good;
+}
+
+/* So often, in steps, the processes ask each other whether to stop and the first one whether it is
+ * time to speak. */
+enum { AGREE_EVERY = 64 };
+
+static bool is_time_to_agree(const run *r) {
+    return clast_ranks_count() > 1 && clast_world_steps(r->world) % AGREE_EVERY == 0;
+}
+
+static bool has_to_stop(run *r) {
+    if (clast_ranks_count() == 1) return stop_asked;
+    if (is_time_to_agree(r)) r->stop = clast_ranks_most(stop_asked) > 0;
+    return r->stop;
+}
+
+static void tell_progress(run *r) {
+    bool due = progress_is_due(&r->progress, r->world);
+    if (clast_ranks_count() > 1) {
+        if (!is_time_to_agree(r)) return;
+        clast_ranks_tell(&due, sizeof due);
+    }
+    if (due) progress_show(&r->progress, r->world);
+}
+
 static bool cannot_write(run *r, const char *file, int failure) {
     return ends(r, RUN_WRITE_FAILED, "%s/%s: cannot be written: %s", r->options->out, file,
                 strerror(failure));
@@ -119,13 +157,13 @@ static void note_read(run *r, const char *note) {
  * without it. */
 static bool write_passages(run *r) {
     int failure = recorder_passages(&r->recorder);
-    return !failure || cannot_write(r, FILE_FEEDS " or " FILE_OUTLETS, failure);
+    return agreed(r, !failure || cannot_write(r, FILE_FEEDS " or " FILE_OUTLETS, failure));
 }
 
 static bool write_checkpoint(run *r) {
     if (!write_passages(r)) return false;
     int failure = recorder_sync(&r->recorder); /* a checkpoint must not be newer than the rows */
-    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    if (!agreed(r, !failure || cannot_write(r, FILE_SERIES, failure))) return false;
     char *path = path_in(r->options->out, FILE_CHECKPOINT), *note = note_text(r);
     clast_status status = clast_checkpoint_save(r->world, path, note);
     free(note);
@@ -135,7 +173,7 @@ static bool write_checkpoint(run *r) {
 
 static bool write_row(run *r) {
     int failure = recorder_row(&r->recorder);
-    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    if (!agreed(r, !failure || cannot_write(r, FILE_SERIES, failure))) return false;
     return write_passages(r);
 }
 
@@ -169,6 +207,13 @@ static bool keep_frame(const frame_place *place, const void *context) {
     return keep_frame_of(context, place->step);
 }
 
+static bool assemble_here(run *r, const archive_facts *facts) {
+    char error[H5_ERROR_MAX];
+    clast_status status = archive_assemble(r->options->out, facts, error);
+    if (status == CLAST_OK) return true;
+    return ends(r, status == CLAST_ERR_WRITE ? RUN_WRITE_FAILED : RUN_UNREADABLE, "%s", error);
+}
+
 static bool assemble(run *r, const char *end, bool drop_later) {
     archive_facts facts = {.scene = r->scene,
                            .end = end,
@@ -177,15 +222,12 @@ static bool assemble(run *r, const char *end, bool drop_later) {
                            .time = clast_world_time(r->world),
                            .keep_frame = drop_later ? keep_frame : NULL,
                            .context = r};
-    char error[H5_ERROR_MAX];
-    clast_status status = archive_assemble(r->options->out, &facts, error);
-    if (status == CLAST_OK) return true;
-    return ends(r, status == CLAST_ERR_WRITE ? RUN_WRITE_FAILED : RUN_UNREADABLE, "%s", error);
+    return agreed(r, !speaks() || assemble_here(r, &facts));
 }
 
 /* ---- beginning ------------------------------------------------------------------------------- */
 
-static bool make_folders(run *r) {
+static bool make_folders_here(run *r) {
     int failure = folder_make(r->options->out);
     if (failure)
         return ends(r, RUN_WRITE_FAILED, "%s: cannot be made: %s", r->options->out,
@@ -196,11 +238,19 @@ static bool make_folders(run *r) {
     return !failure || cannot_write(r, FOLDER_FRAMES, failure);
 }
 
-static bool write_scene(run *r) {
+static bool make_folders(run *r) {
+    return agreed(r, !speaks() || make_folders_here(r));
+}
+
+static bool write_scene_here(run *r) {
     char *path = path_in(r->options->out, FILE_SCENE);
     int failure = file_write_text(path, r->scene->text ? r->scene->text : "");
     free(path);
     return !failure || cannot_write(r, FILE_SCENE, failure);
+}
+
+static bool write_scene(run *r) {
+    return agreed(r, !speaks() || write_scene_here(r));
 }
 
 /* What falls on the step where the world is now. */
@@ -214,11 +264,11 @@ static bool write_due(run *r) {
 /* An archive without frames and a checkpoint at once: they prove that the folder takes files, say
  * whose folder it is, and hold the walls and the view for who looks at the run while it goes on. */
 static bool begin_fresh(run *r) {
-    int failure = folder_clear_run(r->options->out);
-    if (failure) return cannot_write(r, "", failure);
+    int failure = speaks() ? folder_clear_run(r->options->out) : 0;
+    if (!agreed(r, !failure || cannot_write(r, "", failure))) return false;
     if (!make_folders(r) || !write_scene(r)) return false;
     failure = recorder_create(&r->recorder, r->options->out);
-    if (failure) return cannot_write(r, FILE_SERIES, failure);
+    if (!agreed(r, !failure || cannot_write(r, FILE_SERIES, failure))) return false;
     if (!assemble(r, "running", false) || !make_folders(r)) return false;
     return write_due(r) && write_checkpoint(r);
 }
@@ -244,6 +294,7 @@ static bool drop_later_part(const char *part, void *context) {
 }
 
 static void count_frames(run *r) {
+    if (!speaks()) return;
     char *path = path_in(r->options->out, FILE_RUN);
     h5_file *archive = path_exists(path) ? h5_open(path) : NULL;
     frame_list l = frames_find(r->options->out, archive);
@@ -257,13 +308,15 @@ static bool begin_resumed(run *r, const char *checkpoint) {
     if (!load_checkpoint(r, checkpoint)) return false;
     int failure = recorder_continue(&r->recorder, r->options->out, keep_row, keep_passage, r);
     if (failure == EINVAL)
-        return ends(r, RUN_MISMATCH,
-                    "%s/" FILE_SERIES ": has other columns than this scene measures",
-                    r->options->out);
-    if (failure) return cannot_write(r, FILE_SERIES, failure);
-    folder_drop_parts(r->options->out, drop_later_part, r);
+        ends(r, RUN_MISMATCH, "%s/" FILE_SERIES ": has other columns than this scene measures",
+             r->options->out);
+    else if (failure)
+        cannot_write(r, FILE_SERIES, failure);
+    if (!agreed(r, !failure)) return false;
+    if (speaks()) folder_drop_parts(r->options->out, drop_later_part, r);
     if (!assemble(r, "running", true)) return false;
     count_frames(r);
+    clast_ranks_tell(&r->next_frame, sizeof r->next_frame);
     if (r->options->talk == RUN_TALK)
         printf("resumed at t = %.6g s, step %llu\n", clast_world_time(r->world),
                (unsigned long long)r->loaded_step);
@@ -272,13 +325,15 @@ static bool begin_resumed(run *r, const char *checkpoint) {
 
 static bool begin(run *r) {
     const run_options *o = r->options;
-    if (!folder_is_empty(o->out) && !o->resume && !o->force)
-        return ends(r, RUN_REFUSED,
-                    "%s: is not empty; --resume goes on with the run in it, --force "
-                    "throws that run away",
-                    o->out);
+    bool refused = !folder_is_empty(o->out) && !o->resume && !o->force;
+    if (refused)
+        ends(r, RUN_REFUSED,
+             "%s: is not empty; --resume goes on with the run in it, --force throws that run away",
+             o->out);
+    if (!agreed(r, !refused)) return false;
     char *checkpoint = path_in(o->out, FILE_CHECKPOINT);
     bool resumed = o->resume && path_exists(checkpoint);
+    clast_ranks_tell(&resumed, sizeof resumed);
     bool good = resumed ? begin_resumed(r, checkpoint) : begin_fresh(r);
     if (o->resume && !resumed && good && o->talk == RUN_TALK)
         printf("no checkpoint in %s: starting from the beginning\n", o->out);
@@ -324,10 +379,10 @@ static uint64_t next_event(const run *r) {
 }
 
 static bool step_until(run *r, uint64_t target) {
-    while (clast_world_steps(r->world) < target && !stop_asked) {
+    while (clast_world_steps(r->world) < target && !has_to_stop(r)) {
         if (clast_world_step(r->world) != CLAST_OK)
             return ends(r, RUN_GUARD, "%s", clast_world_error(r->world));
-        progress_step(&r->progress, r->world);
+        tell_progress(r);
     }
     return true;
 }
@@ -353,7 +408,7 @@ static bool go(run *r) {
         uint64_t target = next_event(r);
         if (!step_until(r, target)) return false;
         if (clast_world_steps(r->world) == target && !write_due(r)) return false;
-        if (stop_asked) {
+        if (has_to_stop(r)) {
             ends(r, RUN_INTERRUPTED,
                  "interrupted at t = %.6g s; everything is saved, --resume goes on",
                  clast_world_time(r->world));

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "engine/check.h"
+#include "engine/clast.h"
 #include "experiments/run/folder.h"
 
 static void note_failure(table *t, int failure) {
@@ -35,7 +36,9 @@ static void put(table *t, const char *text, size_t length) {
 
 static void table_open(table *t, const char *path, int mode) {
     CLAST_ASSERT(t && path);
-    *t = (table){.descriptor = open(path, O_WRONLY | O_CLOEXEC | mode, 0666)};
+    if (clast_ranks_number() > 0) mode = 0, path = "/dev/null";
+    *t = (table){.mute = clast_ranks_number() > 0,
+                 .descriptor = open(path, O_WRONLY | O_CLOEXEC | mode, 0666)};
     if (t->descriptor < 0) note_failure(t, errno);
 }
 
@@ -79,7 +82,7 @@ static long kept_length(FILE *f, const char *header, bool keep(uint64_t, const v
 void table_continue(table *t, const char *path, const char *header,
                     bool keep(uint64_t step, const void *context), const void *context) {
     CLAST_ASSERT(header && keep);
-    if (!path_exists(path)) {
+    if (!path_exists(path) || clast_ranks_number() > 0) {
         table_create(t, path, header);
         return;
     }
@@ -130,7 +133,7 @@ void table_end(table *t) {
 }
 
 void table_sync(table *t) {
-    if (!t->failure && fsync(t->descriptor) != 0) note_failure(t, errno);
+    if (!t->failure && !t->mute && fsync(t->descriptor) != 0) note_failure(t, errno);
 }
 
 void table_close(table *t) {

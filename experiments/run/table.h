@@ -14,6 +14,7 @@ typedef struct table {
     long size;      /* bytes of whole rows in the file */
     char *row;      /* being built */
     size_t length, room;
+    bool mute;   /* of a process that leaves writing to the first one */
     int failure; /* errno of the first failure, or 0: later calls do nothing */
 } table;
 
