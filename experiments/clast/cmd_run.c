@@ -21,7 +21,8 @@ static const char HELP[] =
     "  --quiet         print the last line alone\n\n"
     "Started by mpirun, processes share the scene: mpirun -n 4 clast run ...\n\n"
     "The last line is the hash of the final state: the same for any number of threads and\n"
-    "processes, any --isa, and after any number of stops. Ctrl-C saves everything and ends with exit code 130.\n\n"
+    "processes, any --isa, and after any number of stops. Ctrl-C saves everything and ends with\n"
+    "exit code 130.\n\n"
     "example: clast run hopper.yaml --out build/hopper --set orifice='8.5 cm'\n"
     "         clast run hopper.yaml --out build/hopper --resume --until 5\n";
 
