@@ -119,8 +119,7 @@ static bool is_fast(const grate_case *c) {
 static int write_curves(const grate_study *s) {
     return write_curves_of(s, "curves.csv", is_main, SAMPLING) |
            write_curves_of(s, "hard.csv", is_hard, SAMPLING) |
-           write_curves_of(s, "wide.csv", is_wide, SAMPLING) |
-           write_curves_of(s, "fast.csv", is_fast, 6);
+           write_curves_of(s, "wide.csv", is_wide, 6) | write_curves_of(s, "fast.csv", is_fast, 6);
 }
 
 /* Means against feed, where there is more than one feed. */

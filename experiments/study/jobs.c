@@ -27,17 +27,22 @@ void job_set(job *j, const char *format, ...) {
 
 /* ---- names ----------------------------------------------------------------------------------- */
 
+/* All of a setting counts, "rate=20 kg/h" too; of a whole path its name and its last part, which
+ * holds the hash of what is in it: a build folder may move. */
+static uint64_t with_setting(uint64_t hash, const char *setting) {
+    const char *value = strchr(setting, '=');
+    const char *last = value && value[1] == '/' ? strrchr(value, '/') : setting;
+    if (last != setting) hash = fnv_bytes(hash, setting, (size_t)(value - setting));
+    return fnv_bytes(hash, last, strlen(last) + 1);
+}
+
 void jobs_name(job *j, const char *root) {
     uint64_t hash = FNV_START;
     if (!fnv_file(&hash, j->scene)) {
         fprintf(stderr, "%s: %s\n", j->scene, strerror(errno));
         exit(4);
     }
-    for (int i = 0; i < j->set_count; i++) {
-        const char *value = j->set[i], *slash = strrchr(value, '/');
-        /* of a path, the name counts: it holds the hash of what is in it */
-        hash = fnv_bytes(hash, slash ? slash : value, strlen(slash ? slash : value) + 1);
-    }
+    for (int i = 0; i < j->set_count; i++) hash = with_setting(hash, j->set[i]);
     hash = fnv_bytes(hash, ENGINE_DIGEST, sizeof ENGINE_DIGEST);
     snprintf(j->folder, JOB_FOLDER, "%s/%s-%016" PRIx64, root, j->label, hash);
 }
