@@ -2,10 +2,12 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -60,6 +62,16 @@ bool folder_is_empty(const char *path) {
         empty = strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0;
     closedir(folder);
     return empty;
+}
+
+int folder_hold(const char *path) {
+    int failure = folder_make(path);
+    if (failure) return -failure;
+    int held = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (held < 0) return -errno;
+    if (flock(held, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return held;
+    close(held);
+    return -EWOULDBLOCK;
 }
 
 /* The number in NNNNNN.h5, or -1. */

@@ -26,6 +26,11 @@ bool path_exists(const char *path);
 int folder_make(const char *path);
 bool folder_is_empty(const char *path); /* also when there is none */
 
+/* Makes the folder and holds it for one run: two would write into each other's files. A descriptor
+ * to close, or -errno; -EWOULDBLOCK: another one holds it. The hold ends with the process, however
+ * that ends. Where the file system knows no locks nothing is held. */
+int folder_hold(const char *path);
+
 /* Removes what runs write (and nothing else); 0 or errno. */
 int folder_clear_run(const char *path);
 

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "engine/check.h"
 #include "engine/hdf5_io.h"
@@ -34,6 +35,7 @@ typedef struct run {
     bool extra_row, extra_frame;   /* at the last step: the end of the run, not due */
     bool loaded_row, loaded_frame; /* the same of the checkpoint that was resumed */
     bool stop;                     /* that several processes have agreed on */
+    int held;                      /* descriptor of the folder, or -1 */
     run_report report;
 } run;
 
@@ -323,6 +325,15 @@ static bool begin_resumed(run *r, const char *checkpoint) {
     return make_folders(r) && write_scene(r);
 }
 
+static bool hold_folder(run *r) {
+    int held = folder_hold(r->options->out);
+    if (held == -EWOULDBLOCK)
+        return ends(r, RUN_REFUSED, "%s: another run is writing into this folder", r->options->out);
+    if (held < 0) return cannot_write(r, "", -held);
+    r->held = held;
+    return true;
+}
+
 static bool begin(run *r) {
     const run_options *o = r->options;
     bool refused = !folder_is_empty(o->out) && !o->resume && !o->force;
@@ -330,7 +341,7 @@ static bool begin(run *r) {
         ends(r, RUN_REFUSED,
              "%s: is not empty; --resume goes on with the run in it, --force throws that run away",
              o->out);
-    if (!agreed(r, !refused)) return false;
+    if (!agreed(r, !refused && (!speaks() || hold_folder(r)))) return false;
     char *checkpoint = path_in(o->out, FILE_CHECKPOINT);
     bool resumed = o->resume && path_exists(checkpoint);
     clast_ranks_tell(&resumed, sizeof resumed);
@@ -485,7 +496,7 @@ static void run_between(run *r) {
 run_report run_scene(scene *s, const run_options *options) {
     CLAST_ASSERT(s && s->world && options && options->out && options->out[0]);
     if (options->until > 0) s->ending.latest = options->until;
-    run r = {.scene = s, .options = options, .world = s->world};
+    run r = {.scene = s, .options = options, .world = s->world, .held = -1};
     if (clast_world_prepare(r.world) != CLAST_OK) {
         ends(&r, RUN_GUARD, "%s", clast_world_error(r.world));
         return r.report;
@@ -497,6 +508,7 @@ run_report run_scene(scene *s, const run_options *options) {
     run_between(&r);
     signals_restore(&old);
     recorder_stop(&r.recorder);
+    if (r.held >= 0) close(r.held);
     return r.report;
 }
 

@@ -20,7 +20,8 @@ typedef enum run_end {
     RUN_WRITE_FAILED, /* disk full, no permission: what was written before stays readable */
     RUN_MISMATCH,     /* `resume` in the folder of another scene */
     RUN_UNREADABLE,   /* `resume` from a damaged checkpoint */
-    RUN_REFUSED       /* the folder holds something and neither `resume` nor `force` was said */
+    RUN_REFUSED       /* the folder holds something and neither `resume` nor `force` was said, or
+                          another run is writing into it */
 } run_end;
 
 typedef enum run_talk {

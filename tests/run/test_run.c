@@ -250,6 +250,23 @@ static void a_full_folder_is_refused(void **state) {
     free(out);
 }
 
+static void two_runs_do_not_share_a_folder(void **state) {
+    (void)state;
+    char *out = folder_of("held");
+    int held = folder_hold(out);
+    assert_true(held >= 0);
+    run_report r = run_bed(out, false, &(bed_options){.latest = 0.02});
+    assert_int_equal(r.end, RUN_REFUSED);
+    assert_non_null(strstr(r.message, "another run"));
+    assert_true(folder_is_empty(out));
+    close(held);
+    assert_int_equal(run_bed(out, false, &(bed_options){.latest = 0.02}).end, RUN_DONE);
+    held = folder_hold(out); /* the run has let go */
+    assert_true(held >= 0);
+    close(held);
+    free(out);
+}
+
 static void another_scene_is_a_mismatch(void **state) {
     (void)state;
     char *out = folder_of("whole");
@@ -406,6 +423,7 @@ int main(void) {
         cmocka_unit_test(an_interrupted_run_goes_on),
         cmocka_unit_test(a_finished_run_can_be_prolonged),
         cmocka_unit_test(a_full_folder_is_refused),
+        cmocka_unit_test(two_runs_do_not_share_a_folder),
         cmocka_unit_test(another_scene_is_a_mismatch),
         cmocka_unit_test(a_cut_checkpoint_is_unreadable),
         cmocka_unit_test(no_room_is_told_and_survived),
