@@ -16,8 +16,9 @@ static const char HELP[] =
     "  --preset WHICH    draft (fast) or final (smooth)\n"
     "  --frames A:B:N    frames A to B, every N-th; each part may be left out\n"
     "  --size WxH        pixels\n"
-    "  --colour WHICH    speed, speed-bands, initial-height or body\n"
+    "  --colour WHICH    speed, speed-bands, initial-height, body or process (of several)\n"
     "  --map WHICH       viridis or cividis\n"
+    "  --forces          an arrow for every contact, for runs with `output.contacts`\n"
     "  --mark ID         draws this body in black; may come several times\n"
     "  --speed-max V     top of the speed scale, m/s (default: the fastest of each frame)\n"
     "  --backend WHICH   auto, osmesa or egl\n"
@@ -32,6 +33,7 @@ typedef struct arguments {
     double speed_max, fps;
     size_t from, to, step;
     option_list mark;
+    bool forces;
     uint32_t marked[OPTION_LIST_MAX];
 } arguments;
 
@@ -42,7 +44,8 @@ static bool usage(const char *what, const char *value) {
 
 static bool read_arguments(int argc, char **argv, arguments *a) {
     static const char *const PRESETS[] = {"draft", "final", NULL};
-    static const char *const COLOURS[] = {"speed", "speed-bands", "initial-height", "body", NULL};
+    static const char *const COLOURS[] = {"speed", "speed-bands", "initial-height",
+                                          "body",  "process",     NULL};
     static const char *const MAPS[] = {"viridis", "cividis", NULL};
     static const char *const BACKENDS[] = {"auto", "osmesa", "egl", NULL};
     const option options[] = {
@@ -52,6 +55,7 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--size", OPTION_TEXT, &a->size, NULL},
         {"--colour", OPTION_CHOICE, &a->colour, COLOURS},
         {"--map", OPTION_CHOICE, &a->map, MAPS},
+        {"--forces", OPTION_FLAG, &a->forces, NULL},
         {"--mark", OPTION_LIST, &a->mark, NULL},
         {"--speed-max", OPTION_NUMBER, &a->speed_max, NULL},
         {"--backend", OPTION_CHOICE, &a->backend, BACKENDS},
@@ -126,7 +130,8 @@ static picture_options options_of(const arguments *a, const view *v) {
                                                 : RENDER_VIRIDIS,
                              .speed_max = a->speed_max > 0 ? a->speed_max : v->speed_max,
                              .marked = a->marked,
-                             .marked_count = a->mark.count};
+                             .marked_count = a->mark.count,
+                             .forces = a->forces};
 }
 
 static bool draw_all(const arguments *a, painter *p, render_encoder *encoder) {

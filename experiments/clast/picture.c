@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "engine/check.h"
+#include "experiments/clast/arrows.h"
 #include "experiments/clast/stage_walls.h"
 
 enum { STRIPES = 8 };
@@ -207,6 +208,10 @@ static double colour_bodies(painter *p, const frame *f) {
     case COLOUR_INITIAL_HEIGHT:
         colour_by_height(p, f, value);
         break;
+    case COLOUR_PROCESS:
+        for (size_t i = 0; i < f->bodies; i++) id[i] = f->rank ? f->rank[i] : 0;
+        render_colour_bodies(id, f->bodies, p->body_colour);
+        break;
     case COLOUR_BODY:
         render_colour_bodies(id, f->bodies, p->body_colour);
         break;
@@ -243,7 +248,12 @@ static bool draw(painter *p, const frame *f, render_encoder *encoder) {
                                           .colour = p->colour},
                               .walls_count = p->walls.count,
                               .walls = p->walls.walls};
-    if (render_canvas_draw(p->canvas, &scene_now, &p->camera, &p->image)) return fail("frame");
+    arrows forces = {0};
+    if (p->options.forces) arrows_make(&forces, f, &p->camera, p->options.map);
+    if (forces.lines.count > 0) scene_now.lines_count = 1, scene_now.lines = &forces.lines;
+    bool drawn = !render_canvas_draw(p->canvas, &scene_now, &p->camera, &p->image);
+    arrows_free(&forces);
+    if (!drawn) return fail("frame");
     render_overlay o = overlay_of(p, f->time, fastest);
     return !render_encoder_push(encoder, &p->image, &o, NULL, 0) || fail("picture");
 }

@@ -15,6 +15,7 @@ typedef struct picture_options {
     double speed_max;       /* m/s; 0 takes the fastest of each frame */
     const uint32_t *marked; /* ids of bodies drawn in black */
     int marked_count;
+    bool forces; /* an arrow for every contact, where the run kept them */
 } picture_options;
 
 typedef struct painter painter;

@@ -127,6 +127,12 @@ static void read_bodies(frame *f, h5_file *h, const char *group) {
     f->spin = read_rows(h, group, "/body/spin", H5_F64, n, 3);
 }
 
+static void read_ranks(frame *f, h5_file *h, const char *group) {
+    char *path = text_format("%s/body/rank", group);
+    if (h5_has(h, path)) f->rank = read_rows(h, group, "/body/rank", H5_I32, f->bodies, 1);
+    free(path);
+}
+
 static void read_spheres(frame *f, h5_file *h, const char *group) {
     size_t n = f->spheres = count_rows(h, group, "/sphere/radius");
     f->centre = read_rows(h, group, "/sphere/centre", H5_F64, n, 3);
@@ -170,6 +176,7 @@ frame *results_frame(results *r, size_t i) {
     f->time = p->time;
     f->step = p->step;
     read_bodies(f, h, inside);
+    read_ranks(f, h, inside);
     read_spheres(f, h, inside);
     if (has_parts(h, inside)) read_parts(f, h, inside);
     if (has_contacts(h, inside)) read_contacts(f, h, inside);
@@ -185,7 +192,7 @@ frame *results_frame(results *r, size_t i) {
 
 void frame_free(frame *f) {
     if (!f) return;
-    free(f->id), free(f->shape);
+    free(f->id), free(f->shape), free(f->rank);
     free(f->position), free(f->orientation), free(f->velocity), free(f->spin);
     free(f->centre), free(f->radius), free(f->speed), free(f->sphere_body);
     free(f->turn), free(f->shift), free(f->present);

@@ -81,7 +81,7 @@ typedef struct frame {
     uint64_t step;
     size_t bodies, spheres, contacts;
     uint32_t *id;
-    int32_t *shape;
+    int32_t *shape, *rank; /* rank: the process that had it; NULL in a run of one */
     double *position, *orientation, *velocity, *spin; /* 3, 4 (w x y z), 3, 3 numbers per body */
     double *centre;                  /* m, 3 per sphere; single precision in the file */
     double *radius, *speed;          /* m, m/s, per sphere */

@@ -35,7 +35,8 @@ typedef enum colour_by {
     COLOUR_SPEED,          /* continuous map */
     COLOUR_SPEED_BANDS,    /* the three bands of A00 Fig. 4.19 */
     COLOUR_INITIAL_HEIGHT, /* stripes */
-    COLOUR_BODY
+    COLOUR_BODY,
+    COLOUR_PROCESS /* of several, that had the body; of `clast render` alone */
 } colour_by;
 
 /* How frames are drawn; every field has a default, so a scene may leave the section out. */
