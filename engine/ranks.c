@@ -32,12 +32,15 @@ int ranks_beside(void) {
 static const char *what_is_refused(const clast_world *w) {
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG)
         return "a scheme beside the leapfrog runs on one process: it looks at all bodies at once";
+    if (w->def.law == CLAST_LAW_USER)
+        return "a law of the user's own runs on one process: nothing says that it changes its sign "
+               "exactly when two bodies change places";
     return NULL;
 }
 
 /* Before threads are chosen. */
 clast_status ranks_join(clast_world *w) {
-    if (!ranks_transport || w->def.alone) return CLAST_OK;
+    if (!ranks_transport || w->def.alone || w->ranks) return CLAST_OK;
     const char *refused = what_is_refused(w);
     if (refused) return (clast_status)world_fail(w, CLAST_ERR_ARGUMENT, "%s", refused);
     size_t count = (size_t)ranks_transport->count;
@@ -74,13 +77,15 @@ void ranks_add_words(const clast_world *w, uint64_t *words, int count) {
     if (w->ranks) w->ranks->by->add_words(words, count);
 }
 
-/* In the middle of a step: the way of the fastest, whether somebody is outside, whether lists have
- * to be made. */
-void ranks_agree(clast_world *w, bool *stale) {
+/* In the middle of a step: the ways of the fastest body and wall, whether somebody is outside,
+ * whether lists have to be made. From here on all processes judge their lists alike, so that none
+ * waits for the others where they do not come. */
+void ranks_agree(clast_world *w) {
     if (!w->ranks) return;
-    double says[3] = {w->found.way, w->found.outside, *stale};
-    w->ranks->by->reduce(says, 3, 0);
-    w->found.way = says[0], w->found.outside = says[1] > 0, *stale = says[2] > 0;
+    double says[4] = {w->found.way, w->wall_way, w->found.outside, w->stale};
+    w->ranks->by->reduce(says, 4, 0);
+    w->found.way = says[0], w->wall_way = says[1];
+    w->found.outside = says[2] > 0, w->stale = says[3] > 0;
 }
 
 void ranks_count_all(clast_world *w) {

@@ -69,7 +69,7 @@ int ranks_beside(void);
 void ranks_reduce(const clast_world *w, double *values, int most, int sums);
 void ranks_sum(const clast_world *w, exact_sum *sums, int count);
 void ranks_add_words(const clast_world *w, uint64_t *words, int count);
-void ranks_agree(clast_world *w, bool *stale);
+void ranks_agree(clast_world *w);
 void ranks_count_all(clast_world *w);
 bool ranks_speaks(const clast_world *w);
 clast_status ranks_agree_status(clast_world *w, clast_status status);

@@ -60,13 +60,15 @@ static void tell(void *bytes, size_t size, int from) {
 }
 
 static int *places_of(const size_t *sizes, int **counts) {
-    int *place = malloc(2 * (size_t)transport.count * sizeof *place), at = 0;
+    int *place = malloc(2 * (size_t)transport.count * sizeof *place);
+    size_t at = 0;
     CLAST_ASSERT(place);
     *counts = place + transport.count;
     for (int q = 0; q < transport.count; q++) {
-        place[q] = at, (*counts)[q] = as_int(sizes[q]);
-        at += (*counts)[q];
+        place[q] = as_int(at), (*counts)[q] = as_int(sizes[q]);
+        at += sizes[q];
     }
+    as_int(at);
     return place;
 }
 

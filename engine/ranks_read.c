@@ -37,9 +37,10 @@ clast_bodies ranks_bodies(clast_world *w, clast_bodies own) {
     int32_t *number = filled(own.count, w->ranks->by->number);
     own.rank = number;
     GATHER(id)
-    GATHER(shape) GATHER(x) GATHER(y) GATHER(z) GATHER(qw) GATHER(qx) GATHER(qy) GATHER(qz)
-        GATHER(vx) GATHER(vy) GATHER(vz) GATHER(wx) GATHER(wy) GATHER(wz) GATHER(mass) GATHER(rank)
-            GATHER(image[0]) GATHER(image[1]) GATHER(image[2]) free(number);
+    GATHER(shape)
+    GATHER(x) GATHER(y) GATHER(z) GATHER(qw) GATHER(qx) GATHER(qy) GATHER(qz) GATHER(vx) GATHER(vy)
+        GATHER(vz) GATHER(wx) GATHER(wy) GATHER(wz) GATHER(mass) GATHER(rank) GATHER(image[0])
+            GATHER(image[1]) GATHER(image[2]) free(number);
     return to;
 }
 

@@ -128,6 +128,7 @@ static clast_status prepare_checked(clast_world *w) {
 clast_status clast_world_prepare(clast_world *w) {
     CLAST_ASSERT(w);
     if (w->prepared) return CLAST_OK;
+    if (w->failed) return CLAST_ERR_GUARD;
     clast_status s = prepare_checked(w);
     if (s) return s;
     exact_sum nothing_yet = {0, 0};
@@ -142,6 +143,7 @@ clast_status clast_world_prepare(clast_world *w) {
     carry_records(w);
     lists_rebuild(w);
     s = guards_check_start(w, outside);
+    if (s && w->ranks) w->failed = true; /* the bodies have gone to their processes */
     if (s) return s;
     w->prepared = true;
     w->contact_dt = 0;
@@ -188,9 +190,7 @@ clast_status world_rebuild(clast_world *w) {
 
 static clast_status refresh_neighbours(clast_world *w) {
     way_verdict old = way_judge(w);
-    bool stale = w->stale || old.reach || w->found.outside;
-    ranks_agree(w, &stale);
-    if (stale) return world_rebuild(w);
+    if (w->stale || old.reach || w->found.outside) return world_rebuild(w);
     if (old.contacts) lists_refresh(w);
     return CLAST_OK;
 }
@@ -209,6 +209,7 @@ clast_status clast_world_step(clast_world *w) {
     ranks_swap(w);
     lap(&clock, &c->seconds_bodies);
     walls_move(w);
+    ranks_agree(w);
     clast_status fed = feeds_deliver(w); /* who is due */
     lap(&clock, &c->seconds_walls);
     s = refresh_neighbours(w); /* if something has moved half the skin, come or left */

@@ -6,7 +6,7 @@
 
 #include "engine/parallel.h"
 #include "engine/periodic.h"
-#include "engine/world.h"
+#include "engine/ranks.h"
 
 /* Numbers in single precision are as near as this to what they were made of, of their size; twice
  * that covers the arithmetic. */
@@ -99,6 +99,15 @@ static void measure_share(void *context, int thread) {
     }
 }
 
+/* The longest of all processes stands for the second as well: a sphere and its ghosts are measured
+ * more than once, and its partner may be anywhere. */
+static void agree(clast_world *w, double reach[2], double contacts[2]) {
+    double most[2] = {reach[0], contacts[0]};
+    if (!w->ranks) return;
+    ranks_reduce(w, most, 2, 0);
+    reach[0] = reach[1] = most[0], contacts[0] = contacts[1] = most[1];
+}
+
 /* Two spheres have come nearer by no more than the two longest ways, a sphere and a wall by no more
  * than its way and the wall's. */
 static void replace(way_bound *b, const double most[2]) {
@@ -114,6 +123,7 @@ static void measure(clast_world *w) {
             note(reach, w->shares[t].way_reach[k]);
             note(contacts, w->shares[t].way_contacts[k]);
         }
+    agree(w, reach, contacts);
     if (w->way.knows_reach) replace(&w->way.reach, reach);
     replace(&w->way.contacts, contacts);
 }

@@ -82,6 +82,37 @@ static int exit_of(run_end end) {
     return CLAST_EXIT_FILE;
 }
 
+/* Every process reads its files for itself, and all end where one cannot. What is wrong is said by
+ * the first, or by those who have other files than it has. */
+static bool is_heard(bool good) {
+    bool first = good;
+    clast_ranks_tell(&first, sizeof first);
+    return clast_ranks_number() == 0 || first;
+}
+
+static bool all_have(bool good) {
+    return clast_ranks_most(!good) == 0;
+}
+
+static bool scene_is_there(const char *path) {
+    int failure = access(path, R_OK) != 0 ? errno : 0;
+    bool heard = is_heard(!failure);
+    if (failure && heard)
+        fprintf(stderr, "clast run: %s: cannot be opened: %s\n", path, strerror(failure));
+    return all_have(!failure);
+}
+
+static scene *load(const arguments *a) {
+    char *faults = NULL;
+    scene *s = scene_load(a->scene, &a->load, &faults);
+    bool heard = is_heard(s), speaks = clast_ranks_number() == 0;
+    if (faults && (speaks || (heard && !s))) fputs(faults, stderr);
+    free(faults);
+    if (all_have(s)) return s;
+    if (s) scene_free(s);
+    return NULL;
+}
+
 int cmd_run(int argc, char **argv) {
     if (options_ask_help(argc, argv)) {
         fputs(HELP, stdout);
@@ -89,18 +120,11 @@ int cmd_run(int argc, char **argv) {
     }
     arguments a = {0};
     if (!read_arguments(argc, argv, &a)) return CLAST_EXIT_USAGE;
-    if (access(a.scene, R_OK) != 0) {
-        fprintf(stderr, "clast run: %s: cannot be opened: %s\n", a.scene, strerror(errno));
-        return CLAST_EXIT_FILE;
-    }
-    char *faults = NULL;
-    scene *s = scene_load(a.scene, &a.load, &faults);
-    bool speaks = clast_ranks_number() == 0;
-    if (faults && speaks) fputs(faults, stderr);
-    free(faults);
+    if (!scene_is_there(a.scene)) return CLAST_EXIT_FILE;
+    scene *s = load(&a);
     if (!s) return CLAST_EXIT_BAD_SCENE;
     run_report r = run_scene(s, &a.run);
-    if (r.message[0] && speaks) fprintf(stderr, "clast run: %s\n", r.message);
+    if (r.message[0] && clast_ranks_number() == 0) fprintf(stderr, "clast run: %s\n", r.message);
     scene_free(s);
     return exit_of(r.end);
 }

@@ -334,14 +334,18 @@ static bool hold_folder(run *r) {
     return true;
 }
 
+static bool folder_is_ours(run *r) {
+    const run_options *o = r->options;
+    if (o->resume || o->force || folder_is_empty(o->out)) return true;
+    return ends(r, RUN_REFUSED,
+                "%s: is not empty; --resume goes on with the run in it, --force throws that run "
+                "away",
+                o->out);
+}
+
 static bool begin(run *r) {
     const run_options *o = r->options;
-    bool refused = !folder_is_empty(o->out) && !o->resume && !o->force;
-    if (refused)
-        ends(r, RUN_REFUSED,
-             "%s: is not empty; --resume goes on with the run in it, --force throws that run away",
-             o->out);
-    if (!agreed(r, !refused && (!speaks() || hold_folder(r)))) return false;
+    if (!agreed(r, !speaks() || (hold_folder(r) && folder_is_ours(r)))) return false;
     char *checkpoint = path_in(o->out, FILE_CHECKPOINT);
     bool resumed = o->resume && path_exists(checkpoint);
     clast_ranks_tell(&resumed, sizeof resumed);
