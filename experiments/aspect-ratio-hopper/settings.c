@@ -1,5 +1,6 @@
 /* settings.c - the source's step and stiffness beside the cheaper setting that the replicates have:
- * are they shown to be equal? Margins stand in published.csv, and stood there before the runs. */
+ * are they shown to be equal? Margins stand in published.csv, and stood
+ * there before three of the four shapes ran at the source's setting. */
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
