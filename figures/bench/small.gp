@@ -8,6 +8,8 @@ set style data histograms
 set style histogram clustered gap 1.2
 set boxwidth 0.92 relative
 set xtics scale 0
+set xrange [-0.7:3.7]
+set bmargin at screen up(1.6)
 codes = 'clast/full;clast baseline/full;lammps/full;liggghts/full'
 table = sprintf("< awk -v cores=1 -v column=9 -v codes='%s' -v scenes='G100,P100,G300,P300' -f '%s/bench/pivot.awk' '%s/bench-peers.csv'", codes, tools, data)
 about(s) = sprintf("%s spheres\n%s", s[2:4], s[1:1] eq 'G' ? 'on moving bars' : 'on a plane')

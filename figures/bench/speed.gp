@@ -11,6 +11,7 @@ set boxwidth 0.92 relative
 codes = 'clast/full;clast baseline/full;lammps/full;liggghts/full;lammps/simple'
 table(cores) = sprintf("< awk -v cores=%d -v column=8 -v codes='%s' -v peers='3 4' -v scenes='A20k,A100k,B,C2,C4,D' -f '%s/bench/pivot.awk' '%s/bench-peers.csv'", cores, codes, tools, data)
 set xtics scale 0
+set xrange [-0.7:5.7]
 set ylabel 'million sphere-steps per second'
 set yrange [0:*]; set offsets 0, 0, graph 0.06, 0
 set multiplot

@@ -8,6 +8,8 @@ set style data histograms
 set style histogram rowstacked
 set boxwidth 0.6
 set xtics scale 0
+set xrange [-0.6:5.6]
+set bmargin at screen up(1.2)
 set ylabel 'ns per sphere and step'
 set yrange [0:*]
 set lmargin at screen across(1.9)
