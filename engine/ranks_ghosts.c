@@ -171,13 +171,12 @@ static size_t numbers_of(const clast_world *w) {
     return w->special.oriented ? 13 : 9;
 }
 
-/* The first number of a message is the way of the sender's fastest. */
 static void size_messages(clast_world *w) {
     ranks *r = w->ranks;
     size_t out = 0, in = 0, numbers = numbers_of(w);
     for (int q = 0; q < r->by->count; q++) {
-        size_t sends = r->out_bodies[q] > 0 ? 1 + r->out_bodies[q] * numbers : 0;
-        size_t takes = r->in_bodies[q] > 0 ? 1 + r->in_bodies[q] * numbers : 0;
+        size_t sends = r->out_bodies[q] * numbers;
+        size_t takes = r->in_bodies[q] * numbers;
         r->out_bytes[q] = sends * sizeof(double), r->in_bytes[q] = takes * sizeof(double);
         out += sends, in += takes;
     }
@@ -241,27 +240,16 @@ static const double *unpack(clast_world *w, const double *from, size_t i) {
 static void pack_all(clast_world *w) {
     ranks *r = w->ranks;
     double *to = r->out;
-    const uint32_t *slot = r->out_slot;
-    for (int q = 0; q < r->by->count; q++) {
-        if (r->out_bodies[q] == 0) continue;
-        *to++ = w->found.way;
-        for (size_t k = 0; k < r->out_bodies[q]; k++) to = pack(w, to, *slot++);
-    }
+    for (size_t k = 0; k < r->out_count; k++) to = pack(w, to, r->out_slot[k]);
 }
 
 static void unpack_all(clast_world *w) {
     ranks *r = w->ranks;
     const double *from = r->in;
-    const uint32_t *slot = r->in_slot;
-    for (int q = 0; q < r->by->count; q++) {
-        if (r->in_bodies[q] == 0) continue;
-        if (*from > w->found.way) w->found.way = *from;
-        from++;
-        for (size_t k = 0; k < r->in_bodies[q]; k++) from = unpack(w, from, *slot++);
-    }
+    for (size_t k = 0; k < r->in_count; k++) from = unpack(w, from, r->in_slot[k]);
 }
 
-/* Ghosts go where their bodies have gone; the way of the step covers them. */
+/* Ghosts go where their bodies have gone. */
 void ranks_swap(clast_world *w) {
     if (!w->ranks) return;
     ranks *r = w->ranks;

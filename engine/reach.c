@@ -64,8 +64,10 @@ static int ranges_ahead(const clast_world *w, size_t a, range out[RANGES]) {
 }
 
 /* The same where rows and layers may go round: of all that are next to it, in two spans each, the
- * slots behind `a`. So a pair is found once, whatever the order of storage. */
-static int ranges_around(const clast_world *w, size_t a, range out[RANGES]) {
+ * slots behind `a`. So a pair is found once, whatever the order of storage; ghosts, which have
+ * cells of their own, stand behind every `a`. */
+static int ranges_around(const clast_world *w, const uint32_t *cell_first, size_t a,
+                         range out[RANGES]) {
     const cell_grid *g = &w->cells.grid;
     const body_store *b = &w->bodies;
     cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
@@ -73,28 +75,10 @@ static int ranges_around(const clast_world *w, size_t a, range out[RANGES]) {
     int j[3], k[3], count = 0, spans = cells_between(&g->x, p.i - 1, p.i + 1, x);
     int rows = cells_next_to(&g->y, p.j, j), layers = cells_next_to(&g->z, p.k, k);
     for (int r = 0; r < rows * layers; r++) {
-        const uint32_t *first = w->cells.cell_first + row_of_cells(g, j[r % rows], k[r / rows]);
+        const uint32_t *first = cell_first + row_of_cells(g, j[r % rows], k[r / rows]);
         for (int s = 0; s < spans; s++) {
             size_t from = first[x[s].first], to = first[x[s].last + 1];
             from = from > a ? from : a + 1;
-            if (from < to) out[count++] = (range){from, to};
-        }
-    }
-    return count;
-}
-
-/* Ghosts next to it, wherever they stand. */
-static int ranges_of_ghosts(const clast_world *w, size_t a, range out[RANGES]) {
-    const cell_grid *g = &w->cells.grid;
-    const body_store *b = &w->bodies;
-    cell_place p = cell_at(g, b->x[a], b->y[a], b->z[a]);
-    cell_span x[2];
-    int j[3], k[3], count = 0, spans = cells_between(&g->x, p.i - 1, p.i + 1, x);
-    int rows = cells_next_to(&g->y, p.j, j), layers = cells_next_to(&g->z, p.k, k);
-    for (int r = 0; r < rows * layers; r++) {
-        const uint32_t *first = w->cells.ghost_first + row_of_cells(g, j[r % rows], k[r / rows]);
-        for (int s = 0; s < spans; s++) {
-            size_t from = first[x[s].first], to = first[x[s].last + 1];
             if (from < to) out[count++] = (range){from, to};
         }
     }
@@ -139,7 +123,7 @@ static bool is_of_share(const clast_world *w, const share *s, size_t own, size_t
 
 static size_t append_ghosts(clast_world *w, share *s, size_t a, size_t found) {
     range ranges[RANGES];
-    int rows = ranges_of_ghosts(w, a, ranges);
+    int rows = ranges_around(w, w->cells.ghost_first, a, ranges);
     size_t end = scan_all(w, &s->reach, a, ranges, rows, found);
     int32_t *partner = s->reach.partner;
     for (size_t k = found; k < end; k++)
@@ -153,7 +137,7 @@ static size_t append_bodies(clast_world *w, share *s, size_t a) {
     reach_list *l = &s->reach;
     size_t begin = l->count, found = begin;
     int rows = s->across       ? 0
-               : w->period.any ? ranges_around(w, a, ranges)
+               : w->period.any ? ranges_around(w, w->cells.cell_first, a, ranges)
                                : ranges_ahead(w, a, ranges);
     found = scan_all(w, l, a, ranges, rows, found);
     if (w->ghosts > 0) found = append_ghosts(w, s, a, found);
