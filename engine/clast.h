@@ -187,7 +187,7 @@ typedef struct clast_world_def {
     double max_residual;     /* of the energy put in; typical 0.05 */
 
     double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
-    int threads;   /* >= 1 uses exactly as many; 0 takes what pays for the size of the scene */
+    int threads;   /* >= 1: exactly as many, in each process; 0: what pays for the scene's size */
     bool alone;    /* among several processes: this one keeps the world for itself */
     clast_isa isa; /* vector lanes; never observable */
     clast_precision precision;
@@ -693,10 +693,10 @@ clast_status clast_checkpoint_inherit(clast_world *w, const char *path);
 clast_status clast_frame_write(clast_world *w, const char *path, bool with_contacts);
 
 /* ---- many processes -----------------------------------------------------------------------------
- * Started by mpirun, all processes build the same world, which is then divided among them: every
- * process calls the same functions in the same order. All answers are those of the whole world, on
- * every process, and have the same bits as one process gives; files are written by the first one.
- * (What a process counts and takes its time for is its own: clast_world_counters().) */
+ * Started by mpirun, all build the same world, which is divided among them, and call the same in
+ * the same order, readers too. Answers and failures are those of the whole world, on all, as one
+ * process has them (but times, pairs, messages of clast_world_counters()); the first one writes
+ * files. CLAST_ERR_ARGUMENT: schemes beside the leapfrog, laws of the user's own. See MPI.md. */
 
 /* Before the first world; in the library clast_ranks. CLAST_ERR_ARGUMENT, after a message on the
  * error stream, where there are several processes and this build knows no MPI. */

@@ -99,6 +99,7 @@ clast_bodies ranks_bodies(clast_world *w, clast_bodies own);
 clast_spheres ranks_spheres(clast_world *w, clast_spheres own);
 
 /* ranks_divide.c */
+double ranks_work(const clast_world *w);
 void ranks_scatter(clast_world *w);
 bool ranks_wish_to_divide(clast_world *w);
 void ranks_divide(clast_world *w);

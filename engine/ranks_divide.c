@@ -11,8 +11,8 @@
 /* Making a division costs as much as so many steps. */
 enum { STEPS_OF_A_DIVISION = 50 };
 
-/* Work of a step: spheres and, twice as dear, what is looked at for contacts. */
-static double work_now(const clast_world *w) {
+/* Work of a step here: spheres and, twice as dear, what is looked at for contacts. */
+double ranks_work(const clast_world *w) {
     double pairs = 0;
     for (int t = 0; t < w->lists; t++)
         pairs += (double)(w->shares[t].contacts.count + w->shares[t].walls.count);
@@ -25,7 +25,7 @@ static double work_now(const clast_world *w) {
 bool ranks_wish_to_divide(clast_world *w) {
     if (!w->ranks) return false;
     ranks *r = w->ranks;
-    double says[3] = {work_now(w), 0, (double)w->ghosts};
+    double says[3] = {ranks_work(w), 0, (double)w->ghosts};
     says[1] = says[0];
     r->by->reduce(says, 1, 2);
     double count = (double)r->by->count, mean = says[1] / count, ghosts = says[2];

@@ -1,14 +1,20 @@
-/* scale.c - a scene of the bench shared by several processes: cost of a step, traffic, and the
- * model of the traffic beside it (a bed cut into boxes).
+/* scale.c - a scene of the bench, or of a file, shared by several processes: cost of a step,
+ * counted work, processor time in and out of messages, traffic and its model. All means of one
+ * step.
  *
- *     mpirun -n 4 ranks_scale SCENE STATES WARM STEPS THREADS */
+ *     mpirun -n 4 ranks_scale SCENE STATES WARM STEPS THREADS
+ *     mpirun -n 4 ranks_scale SCENE.yaml - WARM STEPS THREADS [NAME=VALUE...] */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
+#include "engine/ranks.h"
+#include "experiments/scene/scene.h"
 #include "tests/bench/scenes.h"
+#include "tests/ranks/toll.h"
+#include "tests/ranks/traffic.h"
 
 static double seconds(void) {
     struct timespec t;
@@ -23,115 +29,116 @@ static double sum_of_all(double value) {
     return sum;
 }
 
-/* ---- the model ----------------------------------------------------------------------------------
- * A box of the bed, cut along its longest side again and again: bodies of other boxes within reach
- * of one of them stand in slabs at its inner faces, quarter cylinders at its inner edges and
- * eighths of a ball at its inner corners. */
-
-typedef struct bed {
-    double side[3]; /* m */
-    double density; /* 1/m3 */
-} bed;
-
-static bed bed_of(clast_world *w) {
-    clast_bodies b = clast_world_bodies(w);
-    clast_shape_def s = clast_world_shape(w, 0);
-    const double *x[3] = {b.x, b.y, b.z};
-    bed all = {.density = (double)b.count};
-    for (int k = 0; k < 3; k++) {
-        double low = INFINITY, high = -INFINITY;
-        for (size_t i = 0; i < b.count; i++) low = fmin(low, x[k][i]), high = fmax(high, x[k][i]);
-        all.side[k] = high - low + 2 * s.radius[0];
-        all.density /= all.side[k];
-    }
-    return all;
-}
-
-/* Of the box at that place among `cuts`: an inner face on either side, along each axis. */
-static double ghosts_of_box(const bed *b, const int cuts[3], const int at[3], double reach) {
-    double length[3], volume = 0;
-    int inner[3];
-    for (int k = 0; k < 3; k++) {
-        length[k] = b->side[k] / cuts[k];
-        inner[k] = (at[k] > 0) + (at[k] < cuts[k] - 1);
-    }
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        volume += inner[k] * length[i] * length[j] * reach;
-        volume += inner[i] * inner[j] * length[k] * 0.25 * 3.14159265358979 * reach * reach;
-    }
-    volume += inner[0] * inner[1] * inner[2] * 3.14159265358979 / 6 * reach * reach * reach;
-    return b->density * volume;
-}
-
-static double ghosts_expected(const bed *b, int processes, double reach) {
-    int cuts[3] = {1, 1, 1};
-    double ghosts = 0;
-    for (int parts = 1; parts < processes; parts *= 2) {
-        int longest = 0;
-        for (int k = 1; k < 3; k++)
-            if (b->side[k] / cuts[k] > b->side[longest] / cuts[longest]) longest = k;
-        cuts[longest] *= 2;
-    }
-    for (int i = 0; i < cuts[0]; i++)
-        for (int j = 0; j < cuts[1]; j++)
-            for (int k = 0; k < cuts[2]; k++)
-                ghosts += ghosts_of_box(b, cuts, (const int[]){i, j, k}, reach);
-    return ghosts;
-}
-
 /* ---- a run -------------------------------------------------------------------------------------
  */
 
-static void run(clast_world *w, uint64_t steps) {
-    for (uint64_t i = 0; i < steps; i++)
+typedef struct reading {
+    clast_counters counters;
+    double clock, all, messages;
+} reading;
+
+static reading read_now(const clast_world *w) {
+    return (reading){clast_world_counters(w), seconds(), toll_all(), toll_messages()};
+}
+
+/* Counted work, and that of the process with the most. */
+typedef struct work {
+    double sum, most;
+} work;
+
+enum { SAMPLE_EVERY = 32 };
+
+static work run(clast_world *w, uint64_t steps) {
+    work found = {0, 0};
+    double samples = 0;
+    for (uint64_t i = 0; i < steps; i++) {
         if (clast_world_step(w) != CLAST_OK) {
             fprintf(stderr, "%s\n", clast_world_error(w));
             exit(1);
         }
+        if (i % SAMPLE_EVERY) continue;
+        double here = ranks_work(w);
+        found.most += clast_ranks_most(here), found.sum += sum_of_all(here), samples++;
+    }
+    found.most /= samples, found.sum /= samples;
+    return found;
 }
 
-static void report_traffic(clast_world *w, const clast_counters *before, uint64_t steps) {
+/* ---- what it came to --------------------------------------------------------------------------
+ */
+
+static void report_cost(const char *name, clast_world *w, const reading *from, const reading *to,
+                        uint64_t steps) {
+    double n = (double)steps, spent = clast_ranks_most(to->clock - from->clock);
+    uint64_t hash = clast_world_hash(w);
     clast_counters c = clast_world_counters(w);
-    double n = (double)steps, processes = clast_ranks_count();
-    double bytes = sum_of_all((double)(c.message_bytes - before->message_bytes)) / n;
-    double messages = sum_of_all((double)(c.messages - before->messages)) / n;
-    double ghosts = sum_of_all((double)(c.ghosts_sent - before->ghosts_sent)) / n;
-    double most = clast_ranks_most((double)c.ghosts), now = sum_of_all((double)c.ghosts);
-    bed b = bed_of(w);
-    clast_shape_def s = clast_world_shape(w, 0);
-    double reach = 2 * s.radius[0] + clast_world_plan(w).skin;
-    double expected = ghosts_expected(&b, clast_ranks_count(), reach);
-    double model = 8 * (9 * expected + messages);
     if (clast_ranks_number() > 0) return;
-    printf("  per step: %.1f messages, %.0f ghosts (now %.0f, most %.0f), %.1f kB\n", messages,
-           ghosts, now, most, 1e-3 * bytes);
-    printf("  model: %.0f ghosts, %.1f kB: %+.1f %%; %.1f kB per process\n", expected, 1e-3 * model,
-           100 * (model / bytes - 1), 1e-3 * bytes / processes);
+    printf(
+        "%s: %d processes x %d threads, %s, %zu spheres: %.1f us per step, %.2f M sphere-steps/s, "
+        "%llu divisions, hash 0x%016llx\n",
+        name, clast_ranks_count(), clast_world_plan(w).threads, clast_world_plan(w).isa, c.spheres,
+        1e6 * spent / n, 1e-6 * (double)c.spheres * n / spent, (unsigned long long)c.divisions,
+        (unsigned long long)hash);
+}
+
+static void report_work(work counted, const reading *from, const reading *to, uint64_t steps) {
+    double us = 1e6 / (double)steps, waits = us * (to->messages - from->messages);
+    double own = us * (to->all - from->all) - waits;
+    double own_sum = sum_of_all(own), own_most = clast_ranks_most(own), in = sum_of_all(waits);
+    double processes = clast_ranks_count();
+    if (clast_ranks_number() > 0) return;
+    printf("  counted work: %.0f, the most on one %.0f, mean over it %.3f\n", counted.sum,
+           counted.most, counted.sum / processes / counted.most);
+    printf("  processor time out of messages: %.1f us, the most on one %.1f, mean over it %.3f; in "
+           "messages %.1f us\n",
+           own_sum, own_most, own_sum / processes / own_most, in);
+}
+
+static void report_traffic(clast_world *w, const reading *from, const reading *to, uint64_t steps) {
+    const clast_counters *a = &from->counters, *b = &to->counters;
+    double n = (double)steps;
+    double bytes = sum_of_all((double)(b->message_bytes - a->message_bytes)) / n;
+    double messages = sum_of_all((double)(b->messages - a->messages)) / n;
+    double ghosts = sum_of_all((double)(b->ghosts_sent - a->ghosts_sent)) / n;
+    double moved = sum_of_all((double)(b->migrated - a->migrated)) / n;
+    double expected = traffic_ghosts(w);
+    double row = ghosts > 0 ? bytes / ghosts : 0;
+    if (clast_ranks_number() > 0) return;
+    printf("  %.1f messages, %.0f ghosts, %.1f kB, %.0f bytes each; %.2f bodies moved house\n",
+           messages, ghosts, 1e-3 * bytes, row, moved);
+    printf("  model: %.0f ghosts, %.1f kB: %+.1f %%\n", expected, 1e-3 * row * expected,
+           100 * (expected / ghosts - 1));
+}
+
+static clast_world *load_file(int argc, char **argv) {
+    char *faults = NULL;
+    scene_options o = {
+        .set = (const char *const *)argv + 6, .set_count = argc - 6, .threads = atoi(argv[5])};
+    scene *s = scene_load(argv[1], &o, &faults);
+    if (!s) fputs(faults, stderr), exit(2);
+    return s->world;
+}
+
+static clast_world *load(int argc, char **argv) {
+    if (strstr(argv[1], ".yaml")) return load_file(argc, argv);
+    const bench_scene *of_bench = bench_scene_find(argv[1]);
+    if (!of_bench || argc > 6) exit(2);
+    bench_wish wish = {.threads = atoi(argv[5]), .isa = CLAST_ISA_AUTO};
+    return bench_scene_load(of_bench, &wish, argv[2]);
 }
 
 int main(int argc, char **argv) {
-    if (argc != 6 || clast_ranks_begin() != CLAST_OK) return 2;
-    const bench_scene *scene = bench_scene_find(argv[1]);
-    if (!scene) return 2;
+    if (argc < 6 || clast_ranks_begin() != CLAST_OK) return 2;
+    toll_begin();
+    clast_world *w = load(argc, argv);
     uint64_t warm = strtoull(argv[3], NULL, 10), steps = strtoull(argv[4], NULL, 10);
-    bench_wish wish = {.threads = atoi(argv[5]), .isa = CLAST_ISA_AUTO};
-    clast_world *w = bench_scene_load(scene, &wish, argv[2]);
     run(w, warm + 1);
-    clast_counters before = clast_world_counters(w);
-    double start = seconds();
-    run(w, steps);
-    double wall = clast_ranks_most(seconds() - start);
-    uint64_t hash = clast_world_hash(w);
-    clast_counters c = clast_world_counters(w);
-    double share = (double)c.candidates, largest = clast_ranks_most(share), all = sum_of_all(share);
-    if (clast_ranks_number() == 0)
-        printf("%s: %d processes x %d threads, %s: %.1f us per step, %.2f M sphere-steps/s, "
-               "imbalance %.3f, hash 0x%016llx\n",
-               scene->name, clast_ranks_count(), wish.threads, clast_world_plan(w).isa,
-               1e6 * wall / (double)steps, 1e-6 * (double)c.spheres * (double)steps / wall,
-               largest * clast_ranks_count() / all, (unsigned long long)hash);
-    if (clast_ranks_count() > 1) report_traffic(w, &before, steps);
+    reading from = read_now(w);
+    work counted = run(w, steps);
+    reading to = read_now(w);
+    report_cost(argv[1], w, &from, &to, steps);
+    report_work(counted, &from, &to, steps);
+    if (clast_ranks_count() > 1) report_traffic(w, &from, &to, steps);
     clast_world_free(w);
     clast_ranks_end();
     return 0;
