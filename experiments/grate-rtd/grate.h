@@ -124,7 +124,8 @@ interval relative_difference(interval a, interval b);
 /* a / b, likewise. */
 interval ratio_of(interval a, interval b);
 
-/* Slope of ln(mean residence time) on ln(feed), weighted by the errors of the means. */
+/* Slope of ln(mean residence time) on ln(feed), weighted by the errors of the means; wider where
+ * these do not explain the scatter about the line. */
 interval slope_with_feed(const grate_study *s);
 
 /* Mean from a sampled curve over that from another (S12 4.7.2): middles of the intervals. */

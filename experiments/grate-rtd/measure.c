@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
 
 #include "engine/check.h"
 #include "experiments/grate-rtd/grate.h"
@@ -96,24 +97,23 @@ interval relative_difference(interval a, interval b) {
 
 /* ---- the scan of the feed -------------------------------------------------------------------- */
 
-/* Weighted least squares of ln t_m on ln feed; the errors of the means are known. */
+/* Weighted least squares of ln t_m on ln feed. Where the means scatter about the line by more than
+ * their errors say, the error of the slope grows by the root of chi2 over the degrees of freedom:
+ * the curve need not be a power of the feed. */
 interval slope_with_feed(const grate_study *s) {
-    double w = 0, x = 0, y = 0, xx = 0, xy = 0;
-    int n = 0;
+    double x[CASES_MAX], y[CASES_MAX], w[CASES_MAX], c0, c1, c00, c01, c11, chi2;
+    size_t n = 0;
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
         if (g->of->group != GROUP_FEED || !g->rtd) continue;
         interval mean = g->rtd->of[RTD_MEAN];
-        double error = error_of(mean) / mean.mean, weight = 1 / (error * error);
-        double u = log(g->of->feed), v = log(mean.mean);
-        w += weight, x += weight * u, y += weight * v, n++;
-        xx += weight * u * u, xy += weight * u * v;
+        double error = error_of(mean) / mean.mean;
+        x[n] = log(g->of->feed), y[n] = log(mean.mean), w[n++] = 1 / (error * error);
     }
-    double spread = xx - x * x / w;
-    if (n < 3) return (interval){NAN, NAN, NAN, n};
-    double error = 1 / sqrt(spread);
-    return (interval){(xy - x * y / w) / spread, error * sqrt(n),
-                      gsl_cdf_ugaussian_Pinv(0.975) * error, n};
+    if (n < 3) return (interval){NAN, NAN, NAN, (int)n};
+    gsl_fit_wlinear(x, 1, w, 1, y, 1, n, &c0, &c1, &c00, &c01, &c11, &chi2);
+    double free = (double)n - 2, error = sqrt(c11 * fmax(1, chi2 / free));
+    return (interval){c1, error * sqrt(n), gsl_cdf_tdist_Pinv(0.975, free) * error, (int)n};
 }
 
 /* ---- sampling -------------------------------------------------------------------------------- */

@@ -35,7 +35,7 @@ static void write_case(FILE *f, const grate_result *g) {
     put(f, r->of[RTD_SIZE_RANK], 1);
     put(f, r->drift, 1);
     put(f, r->holdup, 1);
-    fprintf(f, ",%.5g", r->little);
+    put(f, r->little, 1);
     put(f, g->bed.bodies, 1);
     put(f, g->bed.height, 1e3);
     put(f, g->bed.outline, 1e3);
@@ -52,7 +52,8 @@ static int write_cases(const grate_study *s) {
         "case,group,feed_kg_h,across,tracers,inside,from_min,steady,mean_min,mean_half,spread,"
         "spread_half,skewness,skewness_half,tanks,tanks_half,peclet_open,peclet_open_half,"
         "peclet_closed,peclet_closed_half,tanks_fit,peclet_fit,stays,stays_half,size_min_per_mm,"
-        "size_half,rank,rank_half,drift,drift_half,holdup_kg,holdup_half,little,bodies,bodies_half,"
+        "size_half,rank,rank_half,drift,drift_half,holdup_kg,holdup_half,little,little_half,bodies,"
+        "bodies_half,"
         "height_mm,height_half,outline_mm,outline_half,packing,packing_half,p_peaks,second_peak,"
         "processor_s,steps,us_per_step");
     if (!f) return 4;
@@ -82,8 +83,7 @@ static void write_sampled(FILE *f, const grate_result *g, double sampling) {
     rtd_options o = g->rtd->options;
     o.sampling = sampling;
     rtd *r = rtd_new(g->passages, &o, why);
-    if (r && isfinite(r->tanks.mean) && isfinite(r->dispersion.mean))
-        write_curve(f, g->of->name, r);
+    if (r) write_curve(f, g->of->name, r); /* a fit that failed is nan */
     rtd_free(r);
 }
 

@@ -53,7 +53,7 @@ void rtd_print(const rtd *r, FILE *to) {
     line(to, "change of the residence time over the window", "of the mean", &r->drift);
     line(to, "hold-up", "kg", &r->holdup);
     fprintf(to, "  %-52s %.6g kg/s\n", "feed", r->feed);
-    fprintf(to, "  %-52s %.4f\n", "feed x mean residence time over hold-up (S12 4.1)", r->little);
+    line(to, "feed x mean residence time over hold-up (S12 4.1)", "", &r->little);
     if (isfinite(r->balance))
         fprintf(to, "  %-52s %.3g kg\n", "mass in less out less inside, whole run", r->balance);
     else
@@ -74,7 +74,8 @@ static int write_numbers(const rtd *r, const char *folder) {
     fprintf(f, "change of the residence time over the window,,%.9g,%.4g\n", r->drift.mean,
             r->drift.half);
     fprintf(f, "hold-up,kg,%.9g,%.4g\nfeed,kg/s,%.9g,\n", r->holdup.mean, r->holdup.half, r->feed);
-    fprintf(f, "feed x mean residence time over hold-up,,%.9g,\n", r->little);
+    fprintf(f, "feed x mean residence time over hold-up,,%.9g,%.4g\n", r->little.mean,
+            r->little.half);
     fprintf(f, "mass in less out less inside,kg,%.9g,\n", r->balance);
     fprintf(f, "\"left the domain, by no outlet\",,%zu,\n", r->strays);
     fprintf(f, "P of a single peak,,%.4g,\n", r->peaks.p);

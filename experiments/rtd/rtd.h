@@ -189,7 +189,7 @@ typedef struct rtd {
     rtd_peaks peaks;
     double feed;     /* kg/s in the window */
     interval holdup; /* kg, mean over the time of the window; batch means */
-    double little;   /* feed x mean residence time over hold-up (4.1) */
+    interval little; /* feed x mean residence time over hold-up (4.1); on the wide side */
     double balance;  /* kg, strays: of all passages */
     size_t strays;
     tracer *items; /* rising time */

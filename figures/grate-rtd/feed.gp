@@ -4,6 +4,7 @@
 # caption: Left: clay on the backward grate, feed per metre of width; the feeds other than 20 kg/h are ours. Right: wood, bars at 35 mm/s, both axes over their largest value as the source has them. Bars: 95 % intervals.
 width = 17; height = 7.6
 load style
+set key off
 set multiplot layout 1,2 margins screen across(1.7),1 - across(0.3),up(1.65),1 - up(0.4) spacing screen across(1.9),up(1.0)
 clay = rows('feeds', '$1 == "clay"')
 fast = rows('feeds', '$1 == "fast"')

@@ -6,10 +6,10 @@ width = 12; height = 7.5
 load style
 fast = rows('cases', '$2 == "fast"')
 full(column) = system(sprintf("awk -F, '$1 == \"fast 13.6 kg/h\" { print $%d }' '%s/cases.csv'", column, data)) + 0
-h = full(36); o = full(38)
+h = full(37); o = full(39)
 set xrange [0.4:1.1]; set yrange [0.4:1.15]
 set xlabel 'feed over 13.6 kg/h'; set ylabel 'bed height over that at 13.6 kg/h'
 set key top left
 plot '+' using (0.5):(0.7) every ::0::0 with points pt 9 ps 1.2 lc rgb thesis title 'published', \
-     fast using ($3 / 13.6 + 0.006):($38 / o):(spread($39) / o) with yerrorbars pt 6 ps 0.8 lw 1 lc rgb ours title 'outline', \
-     fast using ($3 / 13.6):($36 / h):(spread($37) / h) with yerrorbars pt 7 ps 0.8 lw 1.1 lc rgb ours title 'tops'
+     fast using ($3 / 13.6 + 0.006):($39 / o):(spread($40) / o) with yerrorbars pt 6 ps 0.8 lw 1 lc rgb ours title 'outline', \
+     fast using ($3 / 13.6):($37 / h):(spread($38) / h) with yerrorbars pt 7 ps 0.8 lw 1.1 lc rgb ours title 'tops'

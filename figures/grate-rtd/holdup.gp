@@ -7,6 +7,7 @@ load style
 array name[4] = ['forward clay', 'backward clay', 'backward wood', 'backward ceramic']
 array hue[4] = [ours, thesis, frictional, experiment]
 part(k) = rows('holdup', sprintf('$1 == "%s"', name[k]))
+set lmargin at screen across(1.9)
 set xrange [0:*]; set yrange [0:*]
 set xlabel 'time (h)'; set ylabel 'hold-up (kg)'
 set key outside top center maxrows 1

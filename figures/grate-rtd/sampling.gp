@@ -5,6 +5,7 @@
 width = 12; height = 7.5
 load style
 curve(m) = rows('curves', sprintf('$1 == "forward clay" && $2 == %d', m))
+set lmargin at screen across(1.9)
 set xrange [0:*]; set yrange [0:*]
 set xlabel 'residence time (min)'; set ylabel 'E(t) (1/min)'
 set key top right

@@ -105,6 +105,31 @@ static void intervals_cover_the_truth(void **state) {
     }
 }
 
+/* Little's law holds for a stirred tank that was full before the window and is full behind it: as
+ * many intervals as they say have to hold 1. */
+static void little_covers_one(void **state) {
+    (void)state;
+    enum { TRIALS = 200, TRACERS = 1200 };
+    static passage all[TRACERS];
+    const double mean = 60;
+    int covered = 0;
+    double half = 0;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        dice d = {.seed = 6000 + (uint64_t)trial};
+        for (int i = 0; i < TRACERS; i++)
+            all[i] =
+                (passage){(uint32_t)i, i + 1, i + 1 - mean * log(1 - roll(&d, 0, 1)), 1e-3, 0.01};
+        rtd *r = analysed(all, TRACERS, TRACERS,
+                          &(rtd_options){.from = 300, .sampling = 10, .resamples = 200});
+        covered += fabs(r->little.mean - 1) <= r->little.half;
+        half += r->little.half / TRIALS;
+        rtd_free(r);
+    }
+    printf("seeds 6000 to %d: %d of %d intervals of Little's law hold 1, mean half width %.3f\n",
+           6000 + TRIALS - 1, covered, TRIALS, half);
+    assert_true(covered >= 0.95 * TRIALS - 3 * sqrt(0.95 * 0.05 * TRIALS));
+}
+
 static void the_same_seed_gives_the_same_bits(void **state) {
     (void)state;
     rtd *a = from_a_common_bed(7), *b = from_a_common_bed(7);
@@ -190,7 +215,7 @@ static void a_second_peak_is_found(void **state) {
 
 TEST_MAIN(cmocka_unit_test(leaving_out_who_is_inside_would_bias),
           cmocka_unit_test(who_never_leaves_is_counted),
-          cmocka_unit_test(intervals_cover_the_truth),
+          cmocka_unit_test(intervals_cover_the_truth), cmocka_unit_test(little_covers_one),
           cmocka_unit_test(the_same_seed_gives_the_same_bits),
           cmocka_unit_test(the_start_up_is_dropped), cmocka_unit_test(what_never_settles_is_told),
           cmocka_unit_test(one_peak_is_one), cmocka_unit_test(a_second_peak_is_found))
