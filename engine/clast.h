@@ -187,7 +187,10 @@ typedef struct clast_world_def {
     double max_residual;     /* of the energy put in; typical 0.05 */
 
     double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
-    int threads;   /* >= 1: exactly as many, in each process; 0: what pays for the scene's size */
+    int threads;   /* at most so many in each process, 0: as many as there are cores. Those that pay
+                      are used, counted anew whenever lists are made: never observable */
+    int spheres_per_thread; /* so many spheres keep a thread busy, typical 1000; 1: all threads,
+                               whether they pay or not, for tests of threads */
     bool alone;    /* among several processes: this one keeps the world for itself */
     clast_isa isa; /* vector lanes; never observable */
     clast_precision precision;
@@ -592,7 +595,7 @@ typedef struct clast_plan {
     double impact_speed;  /* m/s, that the contact time was taken at */
     double resolution;    /* contact_time / time_step */
     double skin;          /* m */
-    int threads;
+    int threads;        /* in use now */
     const char *isa;    /* "baseline", "avx2", "avx512" */
     const char *kernel; /* what was specialised, in words */
 } clast_plan;

@@ -269,6 +269,7 @@ void lists_rebuild(clast_world *w) {
     ranks_list_ghosts(w);
     rows_layout(w);
     rows_fill(w, 0, w->bodies.count + w->ghosts);
+    shares_fit(w);
     carry_place(w);
     shares_cut(w);
     parallel_run(w->threads, rebuild_share, w);

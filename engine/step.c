@@ -1,13 +1,9 @@
 /* step.c - preparing a world and the time step, which reads as the method section of a paper.
  *
  * At a step boundary the world holds x(n), v(n-1/2) and the contact forces f(n). */
-#include "engine/parallel.h"
-#include "engine/ranks.h"
 #include "engine/periodic.h"
 #include "engine/ranks.h"
 #include "engine/world.h"
-
-enum { SPHERES_PER_THREAD = 1000 };
 
 /* ---- preparing ------------------------------------------------------------------------------- */
 
@@ -23,23 +19,6 @@ static void choose_sizes(clast_world *w) {
     w->skin = w->def.skin > 0 ? w->def.skin : 0.15 * w->smallest_radius;
     w->margin = 0.02 * w->smallest_radius < w->skin ? 0.02 * w->smallest_radius : w->skin;
     if (w->def.scheme != CLAST_SCHEME_LEAPFROG) w->margin = w->skin; /* scheme_trial.c */
-}
-
-static size_t sphere_count(const clast_world *w) {
-    size_t count = 0;
-    for (size_t i = 0; i < w->bodies.count; i++)
-        count += (size_t)w->shapes[w->bodies.shape[i]].spheres;
-    return count;
-}
-
-/* Asked-for threads are used as asked; else as many as the size of the scene keeps busy. */
-static void choose_threads(clast_world *w) {
-    size_t spheres = sphere_count(w), cores = (size_t)parallel_max_threads();
-    if (w->ranks) spheres /= (size_t)w->ranks->by->count, cores /= (size_t)ranks_beside();
-    size_t useful = spheres / SPHERES_PER_THREAD;
-    if (cores < 1) cores = 1;
-    size_t n = useful < 1 ? 1 : useful < cores ? useful : cores;
-    shares_make(w, w->def.threads > 0 ? w->def.threads : (int)n);
 }
 
 static bool shape_is_of(const clast_world *w, int m) {
@@ -113,7 +92,7 @@ static clast_status prepare_checked(clast_world *w) {
     if (s) return s;
     s = ranks_join(w);
     if (s) return s;
-    choose_threads(w);
+    shares_make(w);
     walls_link(w);
     special_choose(w);
     s = shared_check(w);

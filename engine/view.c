@@ -198,7 +198,7 @@ clast_counters clast_world_counters(const clast_world *w) {
     c.bodies = w->ranks ? w->ranks->bodies : w->bodies.count;
     c.spheres = w->ranks ? w->ranks->spheres : w->sphere_count;
     if (!w->integrator) c.force_evaluations = w->step;
-    for (int t = 0; t < w->lists; t++) {
+    for (int t = 0; t < w->share_room; t++) {
         const share *s = &w->shares[t];
         c.pairs += s->reach.count + s->wall_reach.count;
         c.candidates += s->contacts.count + s->walls.count;

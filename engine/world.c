@@ -27,6 +27,7 @@ clast_world_def clast_world_def_default(void) {
         .max_overlap = 0.05,
         .max_displacement = 0.1,
         .max_residual = 0.05,
+        .spheres_per_thread = 1000,
         .seed = 1,
         .magic = DEF_MAGIC,
     };
@@ -73,6 +74,7 @@ static const char *fault_of(const clast_world_def *d) {
     if ((unsigned)d->clump_contact > CLAST_CLUMP_SHARED)
         return "clump_contact is not one of the two";
     if (d->threads < 0 || d->threads > 1024) return "threads is not in 0 .. 1024";
+    if (d->spheres_per_thread < 1) return "spheres_per_thread is below one";
     return NULL;
 }
 

@@ -138,7 +138,8 @@ void carry_free(clast_world *w);
 
 /* cells.c, shares.c, reach.c, near.c, records.c */
 void cells_sort(clast_world *w, double reach);
-void shares_make(clast_world *w, int threads);
+void shares_make(clast_world *w);
+void shares_fit(clast_world *w);
 void shares_cut(clast_world *w);
 void shares_free(clast_world *w);
 void reach_build(clast_world *w, share *s);

@@ -485,7 +485,8 @@ struct clast_world {
     size_t sphere_count;
     load_scale load_scale;
     share *shares; /* one per thread, and in a shared world one more for pairs booked elsewhere */
-    int threads, lists; /* lists: shares in all */
+    int threads, lists; /* lists: shares in use */
+    int share_room;     /* shares in all */
     struct ranks *ranks; /* NULL in a world that one process has for itself */
     size_t ghosts, ghost_spheres; /* bodies of other processes: slots from bodies.count on */
     size_t arrived;               /* bodies of feeds behind the ghosts, until the next rebuild */

@@ -12,7 +12,7 @@ static const char HELP[] =
     "usage: clast run SCENE --out FOLDER [OPTIONS]\n\n"
     "Simulates a scene and writes frames, series and checkpoints into a folder.\n\n"
     "  --out FOLDER    where the results go; made when missing\n"
-    "  --threads N     threads to use (default: what pays for the size of the scene)\n"
+    "  --threads N     threads at most (default: cores); as many as pay for the spheres are used\n"
     "  --isa WHICH     auto, baseline, avx2 or avx512: vector lanes, the same bits with each\n"
     "  --resume        go on from the checkpoint in FOLDER, as if it had never stopped\n"
     "  --force         throw away the run that is in FOLDER\n"

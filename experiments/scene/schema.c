@@ -477,7 +477,7 @@ TABLE(GUARD, "guards", scene_draft, GUARD_KEYS);
 
 static const scene_key ENGINE_KEYS[] = {
     {"threads", KEY_COUNT, FIELD(def.threads), RANGE(1, 1024), .word = "auto", .fallback = "auto",
-     .meaning = "auto: what pays for the size of the scene"},
+     .meaning = "at most (auto: the cores); as many as pay for the spheres are used"},
     {"isa", KEY_CHOICE, FIELD(def.isa), .choices = ISAS, .fallback = "auto",
      .meaning = "vector lanes"},
     {"skin", KEY_NUMBER, UNIT_LENGTH, FIELD(def.skin), ABOVE(0), .word = "auto", .fallback = "auto",

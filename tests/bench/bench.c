@@ -33,7 +33,7 @@ typedef struct options {
     const bench_scene *scenes[MAX_SCENES];
     int scene_count, threads[MAX_THREADS], thread_count, isa[MAX_ISA], isa_count;
     int runs;
-    bool quick, fresh, scaling;
+    bool quick, fresh, exactly, scaling;
     const char *states, *out, *program;
     const char *task, *subject; /* --export, --physics, --judge and what they are about */
     const char *rest[16];
@@ -51,7 +51,7 @@ typedef struct row {
 static void usage(const char *complaint, const char *what) {
     fprintf(stderr, "clast_bench: %s%s\n", complaint, what);
     fprintf(stderr, "usage: clast_bench [--scenes A20k,B] [--threads 1,2] [--isa baseline,avx2] "
-                    "[--runs 3] [--quick] [--fresh] [--states DIR] [--out DIR]\n"
+                    "[--runs 3] [--quick] [--fresh] [--exactly] [--states DIR] [--out DIR]\n"
                     "       clast_bench --export SCENE | --physics SCENE STEP... | --judge SCENE "
                     "DUMP\n");
     exit(2);
@@ -99,6 +99,7 @@ static void take_isa(options *o, const char *word) {
 static bool take_flag(options *o, const char *name) {
     if (strcmp(name, "--quick") == 0) return o->quick = true;
     if (strcmp(name, "--fresh") == 0) return o->fresh = true;
+    if (strcmp(name, "--exactly") == 0) return o->exactly = true;
     if (strcmp(name, "--scaling") == 0) return o->scaling = true;
     return false;
 }
@@ -169,7 +170,7 @@ static int plan_rows(const options *o, row *rows) {
             for (int i = 0; i < o->isa_count && count < MAX_ROWS; i++) {
                 if (i > 0 && t > 0) continue; /* the others on one count of threads alone */
                 const bench_scene *scene = o->scenes[s];
-                bench_wish wish = {o->threads[t], (clast_isa)o->isa[i], o->fresh};
+                bench_wish wish = {o->threads[t], (clast_isa)o->isa[i], o->fresh, o->exactly};
                 uint64_t part = o->quick ? 20 : 1;
                 rows[count].main = i == 0;
                 rows[count++].order =
@@ -344,13 +345,15 @@ static int bench(const options *o) {
     return 0;
 }
 
-/* The hidden form that sample.c starts: --one SCENE THREADS ISA FRESH STEPS WARM STATES. */
+/* The hidden form that sample.c starts: --one SCENE THREADS ISA FRESH EXACTLY STEPS WARM
+ * STATES. */
 static int one(char **word) {
     bench_order order = {scene_named(word[0]),
-                         {atoi(word[1]), (clast_isa)atoi(word[2]), atoi(word[3]) != 0},
-                         strtoull(word[4], NULL, 10),
-                         strtoull(word[5], NULL, 10)};
-    bench_sample_print(&order, word[6]);
+                         {atoi(word[1]), (clast_isa)atoi(word[2]), atoi(word[3]) != 0,
+                          atoi(word[4]) != 0},
+                         strtoull(word[5], NULL, 10),
+                         strtoull(word[6], NULL, 10)};
+    bench_sample_print(&order, word[7]);
     return 0;
 }
 
@@ -373,7 +376,7 @@ static void give_memory_back(void) {
 
 int main(int argc, char **argv) {
     give_memory_back();
-    if (argc == 9 && strcmp(argv[1], "--one") == 0) return one(argv + 2);
+    if (argc == 10 && strcmp(argv[1], "--one") == 0) return one(argv + 2);
     if (argc == 2 && strcmp(argv[1], "--list") == 0) return bench_list();
     options o = read_options(argc, argv);
     return o.task ? task(&o) : bench(&o);

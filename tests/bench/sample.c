@@ -113,8 +113,8 @@ static void become(const bench_order *o, const char *program, const char *states
     ssize_t length = readlink(program, lean, sizeof lean - 8);
     if (length > 0) memcpy(lean + length, "_lean", 6);
     if (length > 0 && !o->scene->meshes && access(lean, X_OK) == 0) program = lean;
-    execl(program, program, "--one", o->scene->name, threads, isa, o->wish.fresh ? "1" : "0", steps,
-          warm, states, (char *)NULL);
+    execl(program, program, "--one", o->scene->name, threads, isa, o->wish.fresh ? "1" : "0",
+          o->wish.exactly ? "1" : "0", steps, warm, states, (char *)NULL);
     perror(program);
     _exit(127);
 }

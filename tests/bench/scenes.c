@@ -64,6 +64,7 @@ clast_world_def bench_def(const bench_scene *scene, const bench_wish *wish) {
     d.law = CLAST_LAW_HERTZ_MINDLIN;
     d.time_step = scene->dt;
     d.threads = wish->threads;
+    if (wish->exactly) d.spheres_per_thread = 1;
     d.isa = wish->isa;
     d.seed = 8;
     return d;

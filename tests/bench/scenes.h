@@ -34,9 +34,10 @@ extern const int bench_scene_count;
 const bench_scene *bench_scene_find(const char *name);
 
 typedef struct bench_wish {
-    int threads; /* 0: the engine's choice */
+    int threads; /* at most; 0: the engine's choice */
     clast_isa isa;
     bool fresh; /* without the tangential histories of the settled state, as the peers start */
+    bool exactly; /* so many threads, whether they pay or not */
 } bench_wish;
 
 /* The scene at its settled state, ready for clast_world_step(). `states` is the folder of settled

@@ -99,7 +99,7 @@ static void add_shape(clast_world *w, const grains *g) {
 static clast_world *new_world(const grains *g, const grains_wish *wish, double damping) {
     clast_world_def d = clast_world_def_default();
     d.time_step = GRAINS_STEP;
-    d.threads = wish->threads > 0 ? wish->threads : 1;
+    d.threads = wish->threads > 0 ? wish->threads : 1, d.spheres_per_thread = 1;
     d.isa = wish->isa;
     d.precision = wish->precision;
     d.skin = 0.15 * GRAINS_RADIUS; /* stated: the engine may choose by the clock */

@@ -312,10 +312,32 @@ static void a_plane_of_motion(void **state) {
     }
 }
 
+/* However many are allowed: threads cost more than they do for few spheres. */
+static void few_spheres_take_one_thread(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        clast_world_def def = bare_def(CLAST_LAW_LINEAR);
+        def.threads = 3, def.spheres_per_thread = i ? 1 : 1000;
+        clast_world *own = new_world(&def);
+        clast_pair_def pair = pair_of(0.5, 0);
+        int ball = clast_shape_add_sphere(own, "ball", 0.001, add_materials(own, &pair).soft);
+        for (int k = 0; k < 30; k++)
+            add_body(own, ball, vec(0.01 * k, 0, 0), vec(0, 0, 0), vec(0, 0, 0));
+        steps(own, 1);
+        assert_int_equal(clast_world_plan(own).threads, i ? 3 : 1);
+        clast_world_free(own);
+    }
+    clast_world_def def = clast_world_def_default();
+    def.spheres_per_thread = 0;
+    assert_null(clast_world_new(&def));
+    assert_non_null(strstr(clast_world_new_error(), "spheres_per_thread"));
+}
+
 #define WITH_WORLD(test) cmocka_unit_test_setup_teardown(test, fresh, gone)
 
 TEST_MAIN(cmocka_unit_test(world_definitions), WITH_WORLD(materials), WITH_WORLD(pairs),
           cmocka_unit_test(dissipation_or_restitution), WITH_WORLD(shapes),
           WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls),
           WITH_WORLD(bodies), WITH_WORLD(a_world_without_shapes),
-          WITH_WORLD(pairs_that_are_missing_are_named_once), cmocka_unit_test(a_plane_of_motion))
+          WITH_WORLD(pairs_that_are_missing_are_named_once), cmocka_unit_test(a_plane_of_motion),
+          cmocka_unit_test(few_spheres_take_one_thread))

@@ -20,7 +20,7 @@ static clast_world *bed(wish how, int sick) {
     def.gravity = vec(0, 0, -9.81);
     def.guards = CLAST_GUARD_REPORT;
     def.time_step = 2e-5;
-    def.threads = how.threads;
+    def.threads = how.threads, def.spheres_per_thread = 1;
     def.scheme = how.scheme;
     def.domain_min = vec(-0.5, -0.3, -0.2), def.domain_max = vec(0.7, 0.4, 1);
     if (how.flat) def.motion = CLAST_MOTION_IN_PLANE, def.plane_axis = 1;

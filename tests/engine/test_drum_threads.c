@@ -24,7 +24,8 @@ static const double R = 0.003, DRUM = 0.03; /* m */
 static clast_world *drum_world(const drum_wish *wish) {
     clast_world_def def = bare_def(wish->law);
     def.gravity = vec(0, -60, 0);
-    def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
+    def.threads = wish->threads, def.spheres_per_thread = 1;
+    def.skin = wish->skin, def.isa = wish->isa;
     def.clump_contact = wish->clump_contact, def.precision = wish->precision;
     def.impact_speed = 1;
     clast_world *w = new_world(&def);

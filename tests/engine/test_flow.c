@@ -13,9 +13,9 @@ typedef struct plant {
 } plant;
 
 typedef struct plant_wish {
-    int threads;
+    int threads, per_thread; /* 0: 1 */
     clast_isa isa;
-    double skin, rate; /* rate 0: a usual one */
+    double skin, rate, until; /* rate 0: a usual one; until 0: without end */
     clast_full full;
     bool clumps;
     double walled; /* m: height of the floor, no outlet; 0: bodies fall into the outlet */
@@ -26,7 +26,9 @@ static plant new_plant(const plant_wish *wish) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
     def.gravity = vec(0, 0, -9.81);
     def.time_step = 1e-4;
-    def.threads = wish->threads ? wish->threads : 1, def.isa = wish->isa, def.skin = wish->skin;
+    def.threads = wish->threads ? wish->threads : 1;
+    def.spheres_per_thread = wish->per_thread ? wish->per_thread : 1;
+    def.isa = wish->isa, def.skin = wish->skin;
     def.domain_min = vec(-0.1, -0.1, -0.5), def.domain_max = vec(0.1, 0.1, 0.2);
     plant p = {.w = new_world(&def)};
     clast_pair_def pair = pair_of(0.3, 0.4);
@@ -44,7 +46,7 @@ static plant new_plant(const plant_wish *wish) {
     clast_feed_def feed = {.name = "hopper", .region_min = {-0.03, -0.03, 0.05},
                            .region_max = {0.03, 0.03, 0.08}, .shapes = KINDS, .shape = p.kind,
                            .share = share, .mass_rate = wish->rate > 0 ? wish->rate : 0.05,
-                           .from = 0.01, .velocity = {0.1, -0.2, -0.3}, .spin = {5, 0, 0},
+                           .from = 0.01, .until = wish->until, .velocity = {0.1, -0.2, -0.3}, .spin = {5, 0, 0},
                            .turned = wish->clumps, .full = wish->full};
     p.feed = clast_feed_add(p.w, &feed);
     clast_outlet_def out = {.name = "end", .point = {0, 0, -0.2}, .normal = {0, 0, -2}};
@@ -334,6 +336,30 @@ static void any_threads_skin_and_lanes(void **state) {
     }
 }
 
+/* A feed fills an empty world and stops, and an outlet empties it: threads come and go with the
+ * bodies, and nobody sees it. */
+static void threads_come_and_go(void **state) {
+    (void)state;
+    plant_wish wish = {.rate = 0.2, .until = 0.15};
+    plant alone = new_plant(&wish);
+    wish.threads = 3, wish.per_thread = 3;
+    plant p = new_plant(&wish);
+    int most = 0, changes = 0, last = 0;
+    for (int i = 0; i < 5000; i++) {
+        steps(alone.w, 1), steps(p.w, 1);
+        int now = clast_world_plan(p.w).threads, bodies = (int)clast_world_counters(p.w).bodies;
+        if (i == 0) assert_int_equal(now, 1);
+        if (bodies < 5 && now > 1) fail_msg("%d threads for %d bodies", now, bodies);
+        changes += i > 0 && now != last;
+        most = now > most ? now : most, last = now;
+    }
+    print_message("%d threads at most, %d at the end, %d changes, %zu bodies left\n", most, last,
+                  changes, clast_world_counters(p.w).bodies);
+    assert_true(most == 3 && last == 1 && clast_world_counters(p.w).bodies == 0);
+    assert_true(clast_world_hash(p.w) == clast_world_hash(alone.w));
+    clast_world_free(alone.w), clast_world_free(p.w);
+}
+
 /* Save, load, go on: the same state, and the records that had not been read. */
 static void a_restart_feeds_on(void **state) {
     (void)state;
@@ -454,7 +480,8 @@ TEST_MAIN(cmocka_unit_test(a_feed_keeps_its_rate),
           cmocka_unit_test(who_left_had_come), cmocka_unit_test(a_box_and_the_domain_take_bodies),
           cmocka_unit_test(books_close_over_coming_and_going),
           cmocka_unit_test(free_fall_is_booked_to_rounding),
-          cmocka_unit_test(any_threads_skin_and_lanes), cmocka_unit_test(a_restart_feeds_on),
+          cmocka_unit_test(any_threads_skin_and_lanes), cmocka_unit_test(threads_come_and_go),
+          cmocka_unit_test(a_restart_feeds_on),
           cmocka_unit_test(a_restart_knows_its_feed),
           cmocka_unit_test(memory_does_not_grow_with_who_left),
           cmocka_unit_test(bad_definitions_are_refused),

@@ -120,6 +120,7 @@ static clast_world_def cloud_def(clast_law law) {
     def.time_step = 2e-5;
     def.domain_min = vec(-0.1, -0.1, -0.1), def.domain_max = vec(0.1, 0.1, 0.1);
     def.outside = CLAST_OUTSIDE_REMOVE;
+    def.spheres_per_thread = 1;
     return def;
 }
 
@@ -388,7 +389,8 @@ typedef enum upset { NOTHING, REBUILD, REFRESH, BOTH } upset;
 static clast_world *sliding_bed(int threads, clast_precision precision, bool clumps) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
     def.gravity = vec(0.7, -0.4, -9.81);
-    def.threads = threads, def.precision = precision, def.time_step = 2e-5;
+    def.threads = threads, def.spheres_per_thread = 1;
+    def.precision = precision, def.time_step = 2e-5;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.4, 0.5);
     two_materials m = add_materials(w, &pair);

@@ -40,7 +40,8 @@ static int64_t largest_quanta(const clast_world *w) {
 static clast_world *colliding_cloud(int threads, clast_precision precision, bool clumps,
                                     uint64_t seed) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
-    def.threads = threads, def.precision = precision, def.time_step = 5e-6;
+    def.threads = threads, def.spheres_per_thread = 1, def.precision = precision,
+    def.time_step = 5e-6;
     def.max_overlap = 0.9;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.6, 0.4);
@@ -285,7 +286,8 @@ static void add_twin_walls(clast_world *w, int hard, bool depth) {
 
 static clast_world *new_twin(const twin *t) {
     clast_world_def def = bare_def(t->law);
-    def.gravity = weight(9.81), def.motion = t->motion, def.threads = t->threads;
+    def.gravity = weight(9.81), def.motion = t->motion, def.threads = t->threads,
+    def.spheres_per_thread = 1;
     def.precision = t->precision, def.isa = t->isa, def.time_step = 2e-5;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.5, t->friction);

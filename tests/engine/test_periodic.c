@@ -146,7 +146,8 @@ static clast_world *crowd_world(crowd *c, dice *d) {
     def.domain_max = plus(def.domain_min, c->length);
     for (int k = 0; k < 3; k++) c->periodic[k] = def.periodic[k] = roll(d, 0, 1) < 0.7;
     def.max_overlap = 100, def.time_step = 1e-6;
-    def.threads = (int)roll(d, 1, 4), def.skin = roll(d, 0, 1) < 0.5 ? 0 : roll(d, 0, 0.01);
+    def.threads = (int)roll(d, 1, 4), def.spheres_per_thread = 1;
+    def.skin = roll(d, 0, 1) < 0.5 ? 0 : roll(d, 0, 0.01);
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.5, 0.5);
     two_materials m = add_materials(w, &pair);

@@ -42,7 +42,7 @@ static random_scene make(uint64_t seed) {
     def.motion = roll(&d, 0, 1) < 0.3 ? CLAST_MOTION_IN_PLANE : CLAST_MOTION_3D;
     def.gravity = vec(roll(&d, -3, 3), 0, roll(&d, -12, 0));
     def.global_damping = roll(&d, 0, 1) < 0.2 ? roll(&d, 0, 5) : 0;
-    def.threads = roll(&d, 0, 1) < 0.1 ? 2 : 1;
+    def.threads = roll(&d, 0, 1) < 0.1 ? 2 : 1, def.spheres_per_thread = 1;
     def.skin = roll(&d, 0, 1) < 0.5 ? 0 : pow(10, roll(&d, -5, -1.5));
     def.rayleigh_fraction = 0.6, def.impact_speed = 2;
     def.domain_min = vec(-0.3, -0.3, -0.3), def.domain_max = vec(0.3, 0.3, 0.3);

@@ -100,7 +100,8 @@ static uint64_t hash_of_long_rods(int threads, clast_isa isa, double skin) {
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
     def.clump_contact = CLAST_CLUMP_SHARED;
     def.gravity = vec(0, 0, -9.81);
-    def.threads = threads, def.isa = isa, def.skin = skin, def.time_step = 4e-6;
+    def.threads = threads, def.spheres_per_thread = 1, def.isa = isa;
+    def.skin = skin, def.time_step = 4e-6;
     clast_world *w = new_world(&def);
     clast_pair_def pair = pair_of(0.5, 0.3);
     two_materials m = add_materials(w, &pair);

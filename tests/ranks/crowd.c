@@ -288,7 +288,7 @@ const int CROWD_COUNT = sizeof CROWDS / sizeof *CROWDS;
 clast_world *crowd_new(const crowd *c, bool alone, int threads) {
     clast_world_def d = clast_world_def_default();
     d.time_step = STEP;
-    d.alone = alone, d.threads = threads;
+    d.alone = alone, d.threads = threads, d.spheres_per_thread = 1;
     d.max_overlap = 0.4;
     d.impact_speed = 0.5;
     d.domain_min = (clast_vec3){-1, -1, -0.01}, d.domain_max = (clast_vec3){1, 1, 3};

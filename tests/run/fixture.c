@@ -88,7 +88,7 @@ clast_world *bed_world(const bed_options *o) {
     def.domain_max = (clast_vec3){0.15, 0.05, 0.3};
     def.outside = CLAST_OUTSIDE_REMOVE;
     def.global_damping = 0.5;
-    def.threads = o->threads > 0 ? o->threads : 1;
+    def.threads = o->threads > 0 ? o->threads : 1, def.spheres_per_thread = 1;
     if (o->max_overlap > 0) def.max_overlap = o->max_overlap;
     clast_world *w = clast_world_new(&def);
     CLAST_ASSERT(w);

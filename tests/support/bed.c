@@ -70,7 +70,8 @@ static clast_world *new_world_of(const bed_wish *wish) {
     def.law = wish->law, def.motion = wish->motion, def.plane_axis = 1;
     def.precision = wish->precision, def.tangent = wish->tangent;
     def.clump_contact = wish->clump_contact;
-    def.threads = wish->threads, def.skin = wish->skin, def.isa = wish->isa;
+    def.threads = wish->threads, def.spheres_per_thread = 1;
+    def.skin = wish->skin, def.isa = wish->isa;
     def.scheme = wish->scheme, def.alone = wish->alone;
     if (wish->scheme != CLAST_SCHEME_LEAPFROG) def.max_residual = 1e9; /* of first order, some */
     def.rayleigh_fraction = 1, def.contact_resolution = 11, def.impact_speed = 2.5;

@@ -16,7 +16,7 @@ static clast_world_def def_of(const cell_wish *wish) {
     d.domain_max = vec(high[0], high[1], high[2]);
     d.scheme = wish->scheme, d.clump_contact = wish->clump_contact;
     d.precision = wish->precision, d.isa = wish->isa, d.motion = wish->motion;
-    d.threads = wish->threads ? wish->threads : 1;
+    d.threads = wish->threads ? wish->threads : 1, d.spheres_per_thread = 1;
     d.skin = wish->skin, d.time_step = 0x1p-15, d.max_residual = 0.2;
     return d;
 }
