@@ -46,7 +46,8 @@ static plant new_plant(const plant_wish *wish) {
     clast_feed_def feed = {.name = "hopper", .region_min = {-0.03, -0.03, 0.05},
                            .region_max = {0.03, 0.03, 0.08}, .shapes = KINDS, .shape = p.kind,
                            .share = share, .mass_rate = wish->rate > 0 ? wish->rate : 0.05,
-                           .from = 0.01, .until = wish->until, .velocity = {0.1, -0.2, -0.3}, .spin = {5, 0, 0},
+                           .from = 0.01, .until = wish->until,
+                           .velocity = {0.1, -0.2, -0.3}, .spin = {5, 0, 0},
                            .turned = wish->clumps, .full = wish->full};
     p.feed = clast_feed_add(p.w, &feed);
     clast_outlet_def out = {.name = "end", .point = {0, 0, -0.2}, .normal = {0, 0, -2}};
