@@ -1,9 +1,9 @@
 /* handling.h - the worked scenes of A00 Appendix D and the bin of section 3.9.4: what is run, what
  * is read off the runs, what is written.
  *
- * plan.c says which runs there are, shapes.c has the numbers of the templates, disc.c cuts the
- * rotating disc into cells; conveyed.c, singled.c, turned.c and flow.c read one run each, summary.c
- * draws them together, tables.c, pictures.c and verdicts.c write them down.
+ * plan.c says which runs there are, shapes.c has the numbers of the templates, conveyed.c,
+ * singled.c, turned.c and flow.c read one run each, summary.c draws them together, tables.c,
+ * pictures.c and verdicts.c write them down.
  *
  * A00: M. H. Abbaspour-Fard, PhD thesis, University of Newcastle upon Tyne, 2000. */
 #ifndef CLAST_HANDLING_H
@@ -57,7 +57,6 @@ typedef struct handling_size {
     const char *name;
     int replicates[KINDS];
     int shapes, orifices; /* of the bin */
-    int disc_cells;       /* along a side */
     int variants;         /* replicates of each at most, but for those of the disc */
 } handling_size;
 
@@ -73,11 +72,6 @@ typedef struct pair_shape {
 } pair_shape;
 
 pair_shape pair_of(double aspect);
-
-/* ---- the disc -------------------------------------------------------------------------------- */
-
-/* Copies disc.yaml with cells x cells plates in place of its own; 0, or 4 with a message. */
-int disc_write(const char *from, int cells, FILE *to);
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
@@ -95,7 +89,6 @@ typedef struct variant {
     const char *assumption, *name;
     const char *bed[3]; /* settings of the settling run, up to NULL */
     const char *run[3]; /* of the run itself */
-    int cells;          /* of the disc; 0: as the size has it */
 } variant;
 
 extern const variant VARIANTS[];

@@ -2,18 +2,14 @@
  *
  *     handling validate            runs, compares with what the source says
  *     handling figures             runs, writes data and frames for the figures
- *     handling disc CELLS          writes the scene of the rotating disc with CELLS x CELLS cells
  */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "experiments/handling/handling.h"
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
     "usage: handling validate|figures [--size quick|brief|published|full]\n"
-    "       handling disc CELLS > disc.yaml\n"
     "The worked scenes of A00 Appendix D: two conveyors, singulation, a rotating disc; the bin of "
     "3.9.4.\n"
     "CLAST_SIZE and CLAST_JOBS set size and number of processes, too.\n"
@@ -32,10 +28,6 @@ static void open_study(handling_study *s, study_size size) {
 }
 
 int main(int argc, char **argv) {
-    if (argc == 3 && !strcmp(argv[1], "disc")) {
-        int cells = atoi(argv[2]);
-        if (cells >= 1 && cells <= 200) return disc_write(SCENES "/disc.yaml", cells, stdout);
-    }
     static handling_study s;
     study_command command = study_command_of(argc, argv, USAGE);
     open_study(&s, command.size);

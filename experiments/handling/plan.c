@@ -9,13 +9,13 @@ const char *const KIND_NAME[KINDS] = {"tapered", "irregular", "bunch",  "singula
                                       "disc",    "bin",       "mixture"};
 const double ORIFICE_CM[ORIFICES] = {5, 6.5, 8};
 
-enum { MIDDLE_SHAPE = 2, FINE_CELLS = 64 };
+enum { MIDDLE_SHAPE = 2 };
 
 const handling_size SIZES[4] = {
-    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 8, 0},
-    [STUDY_BRIEF] = {"brief", {5, 2, 1, 1, 1, 2, 1}, SHAPES, ORIFICES, 32, 0},
-    [STUDY_PUBLISHED] = {"published", {20, 10, 4, 4, 1, 3, 1}, SHAPES, ORIFICES, 32, 2},
-    [STUDY_FULL] = {"full", {40, 20, 20, 20, 1, 20, 1}, SHAPES, ORIFICES, 32, 20},
+    [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 0},
+    [STUDY_BRIEF] = {"brief", {5, 2, 1, 1, 1, 2, 1}, SHAPES, ORIFICES, 0},
+    [STUDY_PUBLISHED] = {"published", {20, 20, 10, 20, 1, 10, 1}, SHAPES, ORIFICES, 5},
+    [STUDY_FULL] = {"full", {40, 40, 20, 40, 1, 20, 1}, SHAPES, ORIFICES, 20},
 };
 
 /* Young's modulus of the button and of chapter 5, with the Rayleigh step that belongs to it. */
@@ -25,36 +25,34 @@ const handling_size SIZES[4] = {
 /* Rows of tables read better as they stand here: */
 /* clang-format off */
 const variant VARIANTS[] = {
-    {KINDS, "(baseline)", "", {NULL}, {NULL}, 0},
-    {TAPERED, "Young's modulus", "3.5 GPa", {NULL}, {SOFT, "step=19.6 us"}, 0},
-    {TAPERED, "time step", "a tenth", {NULL}, {"step=1.19 us"}, 0},
+    {KINDS, "(baseline)", "", {NULL}, {NULL}},
+    {TAPERED, "Young's modulus", "3.5 GPa", {NULL}, {SOFT, "step=19.6 us"}},
+    {TAPERED, "time step", "a tenth", {NULL}, {"step=1.19 us"}},
     {TAPERED, "spheres 7 and 14", "where the cone has them", {NULL},
-     {"seventh=0.79 cm", "fourteenth=5.76 cm"}, 0},
-    {TAPERED, "centre of mass", "of the union", {NULL}, {"offset=2.56 mm"}, 0},
-    {TAPERED, "damping of clumps", "shared", {NULL}, {SHARED}, 0},
+     {"seventh=0.79 cm", "fourteenth=5.76 cm"}},
+    {TAPERED, "centre of mass", "of the union", {NULL}, {"offset=2.56 mm"}},
+    {TAPERED, "damping of clumps", "shared", {NULL}, {SHARED}},
     {IRREGULAR, "Young's modulus", "3.5 GPa", {SOFT, "step=82.4 us"},
-     {SOFT, "step=82.4 us", "sample=82.4 us"}, 0},
-    {IRREGULAR, "time step", "a tenth", {NULL}, {"step=5 us", "sample=50 us"}, 0},
+     {SOFT, "step=82.4 us", "sample=82.4 us"}},
+    {IRREGULAR, "time step", "a tenth", {NULL}, {"step=5 us", "sample=50 us"}},
     {IRREGULAR, "centre of mass", "of the union", {"offset=3.22 mm"},
-     {"offset=3.22 mm", "sample=50 us"}, 0},
-    {IRREGULAR, "damping of clumps", "shared", {SHARED}, {SHARED, "sample=50 us"}, 0},
-    {BUNCH, "Young's modulus", "3.5 GPa", {SOFT, "step=19.6 us"}, {SOFT, "step=19.6 us"}, 0},
-    {BUNCH, "orifice while settling", "open", {"opened=1 us"}, {NULL}, 0},
-    {BUNCH, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
-    {SINGULATION, "Young's modulus", "3.5 GPa", {SOFT, "step=84 us"}, {SOFT, "step=84 us"}, 0},
-    {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=1000 s"}, 0},
-    {SINGULATION, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
-    {DISC, "one sphere", "as cut", {NULL}, {"count=1"}, 0},
-    {DISC, "one sphere", "8 x 8 cells", {NULL}, {"count=1"}, 8},
-    {DISC, "one sphere", "16 x 16 cells", {NULL}, {"count=1"}, 16},
-    {DISC, "one sphere", "64 x 64 cells", {NULL}, {"count=1"}, FINE_CELLS},
-    {DISC, "spin", "10 rpm", {NULL}, {"spin=10 rpm"}, 0},
-    {BIN, "Young's modulus", "3.5 GPa", {SOFT}, {SOFT}, 0},
-    {BIN, "time step", "a half", {"step=5 us"}, {"step=5 us"}, 0},
-    {BIN, "friction while settling", "0.5", {"friction=0.5", "wall_friction=0.5"}, {NULL}, 0},
-    {BIN, "friction while flowing", "0.2", {NULL}, {"friction=0.2", "wall_friction=0.2"}, 0},
-    {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=1000 s"}, 0},
-    {BIN, "damping of clumps", "shared", {SHARED}, {SHARED}, 0},
+     {"offset=3.22 mm", "sample=50 us"}},
+    {IRREGULAR, "damping of clumps", "shared", {SHARED}, {SHARED, "sample=50 us"}},
+    {BUNCH, "Young's modulus", "3.5 GPa", {SOFT, "step=19.6 us"}, {SOFT, "step=19.6 us"}},
+    {BUNCH, "orifice while settling", "open", {"opened=1 us"}, {NULL}},
+    {BUNCH, "damping of clumps", "shared", {SHARED}, {SHARED}},
+    {SINGULATION, "Young's modulus", "3.5 GPa", {SOFT, "step=84 us"}, {SOFT, "step=84 us"}},
+    {SINGULATION, "between the conveyors", "closed", {NULL}, {"opened=1000 s"}},
+    {SINGULATION, "damping of clumps", "shared", {SHARED}, {SHARED}},
+    {DISC, "one sphere", "", {NULL}, {"count=1"}},
+    {DISC, "disc", "as wide as the box", {NULL}, {"radius=70 cm"}},
+    {DISC, "spin", "10 rpm", {NULL}, {"spin=10 rpm"}},
+    {BIN, "Young's modulus", "3.5 GPa", {SOFT}, {SOFT}},
+    {BIN, "time step", "a half", {"step=5 us"}, {"step=5 us"}},
+    {BIN, "friction while settling", "0.5", {"friction=0.5", "wall_friction=0.5"}, {NULL}},
+    {BIN, "friction while flowing", "0.2", {NULL}, {"friction=0.2", "wall_friction=0.2"}},
+    {BIN, "orifice", "5 x 5 cm", {NULL}, {"ledges=1000 s"}},
+    {BIN, "damping of clumps", "shared", {SHARED}, {SHARED}},
 };
 /* clang-format on */
 const int VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS;
@@ -72,7 +70,7 @@ static const char *const SCENE[KINDS] = {SCENES "/tapered.yaml",
                                          SCENES "/irregular.yaml",
                                          SCENES "/bunch.yaml",
                                          SCENES "/singulation.yaml",
-                                         NULL,
+                                         SCENES "/disc.yaml",
                                          SCENES "/bin-flow.yaml",
                                          SCENES "/mixture.yaml"};
 
@@ -100,26 +98,10 @@ static const char *plan_bed(handling_study *s, const handling_run *r) {
     return j->folder;
 }
 
-/* The disc has a scene file of its own for each number of cells, below the build. */
-static const char *disc_scene(const handling_study *s, const variant *v) {
-    static char paths[FINE_CELLS + 1][700];
-    int cells = v->cells ? v->cells : s->size->disc_cells;
-    char *path = paths[cells];
-    if (path[0]) return path;
-    snprintf(path, sizeof paths[0], "%s/disc-%d.yaml", s->root, cells);
-    FILE *f = fopen(path, "w");
-    int bad = f ? disc_write(SCENES "/disc.yaml", cells, f) : 4;
-    if (!f || fclose(f) || bad) {
-        fprintf(stderr, "%s cannot be written\n", path);
-        exit(4);
-    }
-    return path;
-}
-
 static void plan_run(handling_study *s, handling_run *r) {
     const variant *v = &VARIANTS[r->variant];
     job *j = &s->jobs[s->run_count];
-    j->scene = r->kind == DISC ? disc_scene(s, v) : SCENE[r->kind];
+    j->scene = SCENE[r->kind];
     snprintf(j->label, sizeof j->label, "%s-%02d", KIND_NAME[r->kind], r->replicate + 1);
     if (BED_SCENE[r->kind])
         job_set(j, "bed=%s", plan_bed(s, r));

@@ -44,18 +44,6 @@ static int write_tracks(const handling_study *s) {
     return output_close(f);
 }
 
-static int write_turntable(const handling_study *s) {
-    FILE *f = output_table(s->data, "turntable.csv",
-                           "scene,replicate,body,time_s,x_cm,y_cm,z_cm,vx_cm_s");
-    if (!f) return 4;
-    for (int v = 1; v < VARIANT_COUNT; v++) {
-        const handling_run *run = run_of(s, DISC, v, 0);
-        if (run && VARIANTS[v].kind == DISC && VARIANTS[v].run[0] && !VARIANTS[v].run[1])
-            write_places(f, VARIANTS[v].name, run);
-    }
-    return output_close(f);
-}
-
 static int write_passing(const handling_study *s) {
     FILE *f =
         output_table(s->data, "passing.csv", "replicate,order,time_s,speed_cm_s,ahead_cm,alone");
@@ -261,14 +249,14 @@ static int write_about(const handling_study *s) {
     const int *n = s->size->replicates;
     fprintf(f, "size=%s\nreplicates=%d tapered; %d irregular; %d bunch; %d singulation; %d bin\n",
             s->size->name, n[TAPERED], n[IRREGULAR], n[BUNCH], n[SINGULATION], n[BIN]);
-    fprintf(f, "hash=0x%016llx\nengine=%s\nworst_residual=%.2g\ncells=%d\n",
-            (unsigned long long)hash, CLAST_VERSION, worst_residual(s), s->size->disc_cells);
+    fprintf(f, "hash=0x%016llx\nengine=%s\nworst_residual=%.2g\n",
+            (unsigned long long)hash, CLAST_VERSION, worst_residual(s));
     return output_close(f);
 }
 
 int handling_write_tables(const handling_study *s) {
     CLAST_ASSERT(s);
-    int bad = write_tracks(s) | write_turntable(s) | write_passing(s) | write_forces(s);
+    int bad = write_tracks(s) | write_passing(s) | write_forces(s);
     bad |= write_drops(s) | write_bin(s) | write_templates(s) | write_variants(s);
     return bad | write_about(s) ? 4 : 0;
 }

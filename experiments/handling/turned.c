@@ -6,11 +6,11 @@
 
 #include "experiments/handling/handling.h"
 
-static const double HALF_SIDE = 0.5;  /* m, BOT 20.0 100.0 20.0 100.0 */
+static const double ON_DISC = 0.0245; /* m, height of a centre: 25 mm on the disc, 24 mm off it */
 static const double ROLLS_FROM = 1.0; /* s: it has stopped slipping long before */
 
 static bool is_on_disc(const frame *f, size_t body) {
-    return fabs(f->position[3 * body]) < HALF_SIDE && fabs(f->position[3 * body + 1]) < HALF_SIDE;
+    return f->position[3 * body + 2] > ON_DISC;
 }
 
 /* Angle by which the velocity of the first body turned between two frames. */

@@ -2,6 +2,7 @@
  * share of runs or particles for which the sentence holds stands for them. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "experiments/handling/handling.h"
 #include "experiments/study/published.h"
@@ -82,7 +83,7 @@ static void judge_bin(const court *c, const handling_study *s) {
 
 static int single_sphere(void) {
     for (int v = 1; v < VARIANT_COUNT; v++)
-        if (VARIANTS[v].kind == DISC && VARIANTS[v].cells == 0) return v;
+        if (!strcmp(VARIANTS[v].assumption, "one sphere")) return v;
     abort();
 }
 

@@ -1,12 +1,11 @@
 /* test_templates.c - the particles of A00 Appendix D as the scenes have them: mass and moments of
- * the union of the spheres, the two-sphere particles of 3.9.4, the damping ratio, the cells of
- * the disc, and what counts as carried. */
+ * the union of the spheres, the two-sphere particles of 3.9.4, the damping ratio, and
+ * what counts as carried. */
 #include "tests/support/check.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "experiments/handling/handling.h"
 #include "experiments/scene/scene.h"
@@ -146,42 +145,6 @@ static void restitution_stands_for_the_damping_ratio(void **state) {
     }
 }
 
-static char *text_of(FILE *f) {
-    long length = ftell(f);
-    char *text = calloc((size_t)length + 1, 1);
-    assert_non_null(text);
-    rewind(f);
-    assert_int_equal(fread(text, 1, (size_t)length, f), length);
-    fclose(f);
-    return text;
-}
-
-/* disc.yaml is what its own writer makes of it, and every cell moves as its middle would. */
-static void the_disc_is_cut_into_cells(void **state) {
-    (void)state;
-    FILE *f = tmpfile(), *committed = fopen(SCENES "/disc.yaml", "r");
-    assert_true(f && committed);
-    assert_int_equal(disc_write(SCENES "/disc.yaml", 8, f), 0);
-    assert_int_equal(fseek(committed, 0, SEEK_END), 0);
-    char *written = text_of(f), *wanted = text_of(committed);
-    assert_string_equal(written, wanted);
-    free(written), free(wanted);
-    scene *s = load("disc.yaml");
-    int cells = 0;
-    double area = 0;
-    for (int i = 0; i < clast_world_wall_count(s->world); i++) {
-        clast_wall_def w = clast_world_wall(s->world, i);
-        if (strncmp(w.name, "cell_", 5)) continue;
-        cells++;
-        area += 4 * w.half_side[0] * w.half_side[1];
-        assert_true(fabs(w.belt_velocity.x + DISC_SPIN * w.point.y) < 1e-12);
-        assert_true(fabs(w.belt_velocity.y - DISC_SPIN * w.point.x) < 1e-12);
-    }
-    assert_int_equal(cells, 64);
-    assert_true(fabs(area - 1) < 1e-12);
-    scene_free(s);
-}
-
 /* ---- carried along --------------------------------------------------------------------------- */
 
 /* Looks 40 ms apart. A particle that passes a belt's speed while it is thrown is not carried. */
@@ -204,7 +167,6 @@ int main(void) {
         cmocka_unit_test(pairs_have_the_volume_of_one_sphere),
         cmocka_unit_test(the_scene_has_one_of_them),
         cmocka_unit_test(restitution_stands_for_the_damping_ratio),
-        cmocka_unit_test(the_disc_is_cut_into_cells),
         cmocka_unit_test(carried_is_more_than_one_look),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
