@@ -66,12 +66,9 @@ static const char *const BED_SCENE[KINDS] = {NULL,
                                              NULL,
                                              SCENES "/bin-fill.yaml",
                                              NULL};
-static const char *const SCENE[KINDS] = {SCENES "/tapered.yaml",
-                                         SCENES "/irregular.yaml",
-                                         SCENES "/bunch.yaml",
-                                         SCENES "/singulation.yaml",
-                                         SCENES "/disc.yaml",
-                                         SCENES "/bin-flow.yaml",
+static const char *const SCENE[KINDS] = {SCENES "/tapered.yaml", SCENES "/irregular.yaml",
+                                         SCENES "/bunch.yaml",   SCENES "/singulation.yaml",
+                                         SCENES "/disc.yaml",    SCENES "/bin-flow.yaml",
                                          SCENES "/mixture.yaml"};
 
 static void set_all(job *j, const char *const *settings) {

@@ -249,8 +249,8 @@ static int write_about(const handling_study *s) {
     const int *n = s->size->replicates;
     fprintf(f, "size=%s\nreplicates=%d tapered; %d irregular; %d bunch; %d singulation; %d bin\n",
             s->size->name, n[TAPERED], n[IRREGULAR], n[BUNCH], n[SINGULATION], n[BIN]);
-    fprintf(f, "hash=0x%016llx\nengine=%s\nworst_residual=%.2g\n",
-            (unsigned long long)hash, CLAST_VERSION, worst_residual(s));
+    fprintf(f, "hash=0x%016llx\nengine=%s\nworst_residual=%.2g\n", (unsigned long long)hash,
+            CLAST_VERSION, worst_residual(s));
     return output_close(f);
 }
 
