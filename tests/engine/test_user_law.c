@@ -268,6 +268,83 @@ static void the_step_follows_from_the_law(void **state) {
     clast_world_free(w);
 }
 
+/* ---- the critical step ----------------------------------------------------------------------- */
+
+static const double STICKING = 0.83; /* tangential over normal stiffness; 2/7 and less has no say */
+
+static clast_pair_def held_pair(const char *law, double friction) {
+    return (clast_pair_def){.restitution = 1,
+                            .friction = law == HIDDEN ? 0 : friction,
+                            .stiffness = STIFF,
+                            .tangential_ratio = STICKING,
+                            .parameter = {STIFF, STICKING * STIFF, 0, friction}};
+}
+
+static double ball_mass(void) {
+    return 1130 * 4.0 / 3 * 3.14159265358979323846 * pow(0.0031, 3);
+}
+
+/* A ball that friction holds on a plate; the pair of balls that the plan foresees as well slides,
+ * so the plate rules. law: a name in `path`; NULL: the engine's. */
+static clast_world *held_ball(const char *path, const char *law, double step) {
+    clast_world_def def = bare_def(law ? CLAST_LAW_USER : CLAST_LAW_LINEAR);
+    def.time_step = step, def.guards = CLAST_GUARD_REPORT, def.impact_speed = 0.1;
+    def.gravity = vec(0, 0, -9.81);
+    clast_world *w = new_world(&def);
+    if (law) assert_int_equal(clast_world_use_law(w, path, law), CLAST_OK);
+    clast_pair_def slides = held_pair(law, 0), sticks = held_pair(law, 3);
+    if (path == EXAMPLE) slides.parameter[2] = sticks.parameter[2] = 4; /* N s/m, across */
+    two_materials m = add_materials(w, &slides);
+    assert_int_equal(clast_pair_set(w, m.soft, m.hard, &sticks), CLAST_OK);
+    int ball = clast_shape_add_sphere(w, "ball", 0.0031, m.soft);
+    add_plane(w, clast_part_add(w, &(clast_part_def){.name = "plate"}), m.hard, vec(0, 0, 0),
+              vec(0, 0, 1));
+    double sag = ball_mass() * 9.81 / STIFF;
+    add_body(w, ball, vec(0, 0, 0.0031 - sag), vec(0, 0, 0), vec(0, 1e-6, 0));
+    assert_int_equal(clast_world_prepare(w), CLAST_OK);
+    return w;
+}
+
+static double critical_of(const char *path, const char *law) {
+    clast_world *w = held_ball(path, law, 1e-6);
+    double critical = clast_world_plan(w).critical_step;
+    clast_world_free(w);
+    return critical;
+}
+
+/* The ball rolls on it with 3.5 k_t / m. The engine asks the law, whoever has the friction. */
+static void the_critical_step_knows_its_spring(void **state) {
+    (void)state;
+    double engine = critical_of(LINEAR, NULL);
+    CHECK_CLOSE(engine, 2 / sqrt(3.5 * STICKING * STIFF / ball_mass()), 1e-12);
+    CHECK_CLOSE(critical_of(LINEAR, "linear_again"), engine, 1e-6);
+    CHECK_CLOSE(critical_of(LINEAR, HIDDEN), engine, 1e-6);
+}
+
+/* Friction without a spring springs back nowhere: the two balls rule. */
+static void friction_without_a_spring_has_no_say(void **state) {
+    (void)state;
+    CHECK_CLOSE(critical_of(EXAMPLE, "quadratic_dashpot"), 2 / sqrt(2 * STIFF / ball_mass()), 1e-6);
+}
+
+static double fastest_spin(double step) {
+    clast_world *w = held_ball(LINEAR, "linear_again", step);
+    double most = 0;
+    for (int i = 0; i < 200; i++) {
+        steps(w, 1);
+        most = fmax(most, norm(body_of(w, 0).spin));
+    }
+    clast_world_free(w);
+    return most;
+}
+
+static void a_ball_held_by_it_fails_above_that_step(void **state) {
+    (void)state;
+    double limit = critical_of(LINEAR, "linear_again");
+    CHECK_BELOW(fastest_spin(0.95 * limit), 1e-5);
+    CHECK_BELOW(1e-3, fastest_spin(1.05 * limit));
+}
+
 TEST_MAIN(cmocka_unit_test(linear_law_is_the_engines_in_space),
           cmocka_unit_test(linear_law_is_the_engines_in_a_plane),
           cmocka_unit_test(a_friction_of_its_own_is_felt),
@@ -276,4 +353,7 @@ TEST_MAIN(cmocka_unit_test(linear_law_is_the_engines_in_space),
           cmocka_unit_test(the_example_rebounds_as_its_closed_form),
           cmocka_unit_test(what_cannot_be_loaded_is_said),
           cmocka_unit_test(a_world_without_its_law_does_not_run),
-          cmocka_unit_test(the_step_follows_from_the_law))
+          cmocka_unit_test(the_step_follows_from_the_law),
+          cmocka_unit_test(the_critical_step_knows_its_spring),
+          cmocka_unit_test(friction_without_a_spring_has_no_say),
+          cmocka_unit_test(a_ball_held_by_it_fails_above_that_step))
