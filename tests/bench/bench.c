@@ -182,7 +182,7 @@ static int plan_rows(const options *o, row *rows) {
 /* A state that is missing is made before anything is timed. */
 static void make_states(const options *o) {
     for (int s = 0; s < o->scene_count; s++) {
-        bench_order first = {o->scenes[s], {1, CLAST_ISA_AUTO, false}, 1, 0};
+        bench_order first = {o->scenes[s], {.threads = 1}, 1, 0};
         bench_sample ignored;
         if (!bench_sample_take(&first, o->program, o->states, &ignored)) exit(1);
     }
