@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "engine/clast.h"
 #include "experiments/speed-accuracy/picks.h"
 #include "experiments/study/output.h"
 #include "experiments/study/published.h"
@@ -68,6 +69,24 @@ static phrase error_words(const chart_point *p) {
         snprintf(w.text, sizeof w.text, "%s%.2g %%", open ? "not seen, at most " : "",
                  100 * (open ? p->high : p->error));
     return w;
+}
+
+/* ---- kinds of schemes ------------------------------------------------------------------------ */
+
+/* Schemes of the table alone: what another study calls its methods begins alike. */
+static const clast_scheme_info *scheme_of(const chart_point *p) {
+    for (int k = 0; k < CLAST_SCHEMES; k++) {
+        const clast_scheme_info *info = clast_scheme_info_of((clast_scheme)k);
+        if (!strcmp(info->name, p->family)) return info;
+    }
+    return NULL;
+}
+
+bool point_is_explicit(const chart_point *p) {
+    return scheme_of(p) && !scheme_of(p)->implicit;
+}
+bool point_is_implicit(const chart_point *p) {
+    return scheme_of(p) && scheme_of(p)->implicit;
 }
 
 /* ---- the table ------------------------------------------------------------------------------- */

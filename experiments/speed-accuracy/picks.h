@@ -17,4 +17,11 @@ void picks_say(FILE *f, const chart *c, const char *part, double accepted);
  */
 void picks_say_unseen(FILE *f, const chart *c, const char *part, const char *quantity);
 
+/* Whether a point is of a scheme of that kind; a setting of another sort is of neither. */
+bool point_is_explicit(const chart_point *p);
+bool point_is_implicit(const chart_point *p);
+
+/* advice.c: lines "advice_KEY=sentence", the head of the page. */
+void advice_write(FILE *f, const chart *c);
+
 #endif

@@ -54,6 +54,7 @@ static int write_about(const chart *c, const chart_size *size, const char *disch
     fputs("\nunseen_density=", f);
     picks_say_unseen(f, c, PART_BUTTONS, "density");
     fputc('\n', f);
+    advice_write(f, c);
     return output_close(f);
 }
 

@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "engine/clast.h"
 #include "experiments/speed-accuracy/chart.h"
+#include "experiments/speed-accuracy/picks.h"
 #include "experiments/study/published.h"
 #include "experiments/study/verdict.h"
 
@@ -57,22 +57,6 @@ static void judge_twins(const court *c) {
 
 /* ---- S12 3.10: explicit against implicit ----------------------------------------------------- */
 
-/* Schemes of the table alone: what another study calls its methods begins alike. */
-static const clast_scheme_info *scheme_of(const chart_point *p) {
-    for (int k = 0; k < CLAST_SCHEMES; k++) {
-        const clast_scheme_info *info = clast_scheme_info_of((clast_scheme)k);
-        if (!strcmp(info->name, p->family)) return info;
-    }
-    return NULL;
-}
-
-static bool is_explicit(const chart_point *p) {
-    return scheme_of(p) && !scheme_of(p)->implicit;
-}
-static bool is_implicit(const chart_point *p) {
-    return scheme_of(p) && scheme_of(p)->implicit;
-}
-
 /* Largest step that keeps 1 %; 0 without one. */
 static double largest_step(const chart *c, const chart_point *panel, chart_filter *filter) {
     double step = 0;
@@ -88,13 +72,13 @@ static void judge_pair(const court *c, const char *part, const char *scene, cons
                        const char *words) {
     const chart_point *panel = chart_panel(c->chart, part, scene, quantity);
     const chart_point *e =
-        chart_pick(c->chart, panel, TOLERANCE[1], CHART_EVALUATIONS, is_explicit);
+        chart_pick(c->chart, panel, TOLERANCE[1], CHART_EVALUATIONS, point_is_explicit);
     const chart_point *i =
-        chart_pick(c->chart, panel, TOLERANCE[1], CHART_EVALUATIONS, is_implicit);
+        chart_pick(c->chart, panel, TOLERANCE[1], CHART_EVALUATIONS, point_is_implicit);
     char name[120];
     snprintf(name, sizeof name, "%s: largest step at 1 %%, implicit over explicit", words);
     say(c, name,
-        largest_step(c->chart, panel, is_implicit) / largest_step(c->chart, panel, is_explicit));
+        largest_step(c->chart, panel, point_is_implicit) / largest_step(c->chart, panel, point_is_explicit));
     snprintf(name, sizeof name, "%s: force evaluations at 1 %%, implicit over explicit", words);
     say(c, name, e && i ? i->evaluations / e->evaluations : (double)NAN);
 }
@@ -107,8 +91,8 @@ static void judge_discharge(const court *c) {
     const chart_point *panel = chart_panel(c->chart, PART_DISCHARGE, "S12 3.9.3", "residence");
     const chart_point *e = NULL, *i = NULL;
     if (panel) {
-        e = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_explicit);
-        i = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, is_implicit);
+        e = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, point_is_explicit);
+        i = chart_pick(c->chart, panel, TOLERANCE[0], CHART_EVALUATIONS, point_is_implicit);
     }
     interval ratio = interval_exact(e && i ? i->evaluations / e->evaluations : (double)NAN);
     verdict_published(c->table, published_need(c->published, NAME), ratio,
