@@ -1,5 +1,5 @@
-/* advice.c - the head of the page: what to pick and what it costs, one sentence for each thing to be
- * decided. Every number is computed from the points. */
+/* advice.c - the head of the page: what to pick and what it costs, one sentence for each choice.
+ * Every number is computed from the points. */
 #include <math.h>
 #include <string.h>
 
@@ -111,8 +111,7 @@ static void say_one_flow(FILE *f, const chart *c, double accepted, double whole)
     if (!p || p->reference)
         fputs("nothing cheaper is shown to keep it", f);
     else
-        fprintf(f,
-                "%s, %.0f %% of the processor time (rate at most %.2g %% off, density %.2g %%)",
+        fprintf(f, "%s, %.0f %% of the processor time (rate at most %.2g %% off, density %.2g %%)",
                 p->setting, 100 * p->cost.median / whole, 100 * p->bound,
                 100 * twin(c, p, "density")->bound);
 }

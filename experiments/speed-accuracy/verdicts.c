@@ -78,7 +78,8 @@ static void judge_pair(const court *c, const char *part, const char *scene, cons
     char name[120];
     snprintf(name, sizeof name, "%s: largest step at 1 %%, implicit over explicit", words);
     say(c, name,
-        largest_step(c->chart, panel, point_is_implicit) / largest_step(c->chart, panel, point_is_explicit));
+        largest_step(c->chart, panel, point_is_implicit) /
+            largest_step(c->chart, panel, point_is_explicit));
     snprintf(name, sizeof name, "%s: force evaluations at 1 %%, implicit over explicit", words);
     say(c, name, e && i ? i->evaluations / e->evaluations : (double)NAN);
 }
