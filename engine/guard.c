@@ -1,5 +1,6 @@
 /* guard.c - a run that fails says what, who, where and when, and stops. */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "engine/flow.h"
 #include "engine/geometry.h"
@@ -61,36 +62,51 @@ static clast_status overlap_failure(clast_world *w) {
     worst found = {.overlap = -1};
     contacts_visit(w, find_worst, &found);
     if (found.overlap >= 0) describe_pair(w, &found.record, who, sizeof who);
-    const history *h = &found.record.history;
+    const contact_record *r = &found.record;
+    const history *h = &r->history;
     snprintf(what, sizeof what,
              "overlap %.3g mm, %.3g of the smaller radius (limit %.3g), force %.3g N: %s",
              1e3 * h->overlap, found.overlap, w->def.max_overlap, h->normal, who);
-    ranks_elect(w, &found.overlap, what, sizeof what);
-    return trip(w, found.overlap < 0 ? "a contact force is not a number" : what);
+    double keys[] = {found.overlap, -(double)r->a, -(double)r->b, -r->sphere_a, -r->sphere_b};
+    ranks_elect(w, keys, 5, what, sizeof what);
+    return trip(w, keys[0] < 0 ? "a contact force is not a number" : what);
 }
 
 /* ---- motion ---------------------------------------------------------------------------------- */
 
+/* m/s, of any point of a body; without end where it is no number. */
+static double speed_of(const clast_world *w, size_t i) {
+    const body_store *b = &w->bodies;
+    double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
+    vec3 spin = body_spin(w, i);
+    double speed = sqrt(v2) + sqrt(v3_dot(spin, spin)) * w->shapes[b->shape[i]].bound;
+    return speed == speed ? speed : INFINITY;
+}
+
+/* The own body that is fastest, of equals the one of lowest id. Returns its speed, or -1. */
+static double find_fastest(const clast_world *w, size_t *who) {
+    const uint32_t *id = w->bodies.id;
+    double most = -1;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        double speed = speed_of(w, i);
+        if (speed > most || (speed == most && id[i] < id[*who])) most = speed, *who = i;
+    }
+    return most;
+}
+
 /* Called when the bound of the hot loop is above the limit; looks whether a body really is. */
 static clast_status motion_failure(clast_world *w) {
-    const body_store *b = &w->bodies;
-    double most = -1;
     size_t who = 0;
-    for (size_t i = 0; i < b->count; i++) {
-        double v2 = b->vx[i] * b->vx[i] + b->vy[i] * b->vy[i] + b->vz[i] * b->vz[i];
-        vec3 spin = body_spin(w, i);
-        double s2 = v3_dot(spin, spin);
-        double bound = w->shapes[b->shape[i]].bound, speed = sqrt(v2) + sqrt(s2) * bound;
-        if (!(speed <= most)) most = speed == speed ? speed : INFINITY, who = i;
-    }
+    double most = find_fastest(w, &who);
     char name[256] = "", what[512];
     if (most >= 0) describe_body(w, who, name, sizeof name);
     snprintf(what, sizeof what,
              "a sphere moves %.3g mm in one step (limit %.3g of the smallest radius"
              " %.3g mm): %s",
              1e3 * most * w->dt, w->def.max_displacement, 1e3 * w->smallest_radius, name);
-    ranks_elect(w, &most, what, sizeof what);
-    if (most * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
+    double keys[] = {most, most >= 0 ? -(double)w->bodies.id[who] : 0};
+    ranks_elect(w, keys, 2, what, sizeof what);
+    if (keys[0] * w->dt <= w->def.max_displacement * w->smallest_radius) return CLAST_OK;
     return trip(w, what);
 }
 
@@ -181,7 +197,7 @@ clast_status guards_outside(clast_world *w) {
         if (id != UINT32_MAX) describe_body(w, (size_t)w->slot_of_id[id], who, sizeof who);
         snprintf(what, sizeof what, "outside the domain: %s", who);
         double first = -(double)id;
-        ranks_elect(w, &first, what, sizeof what);
+        ranks_elect(w, &first, 1, what, sizeof what);
         id = (uint32_t)-first;
         if (id == UINT32_MAX) return CLAST_OK;
         clast_status s = trip(w, what);
@@ -222,10 +238,35 @@ static double wall_overlap(const clast_world *w, const share *s, size_t k, size_
     return t->hidden ? 0 : t->overlap;
 }
 
-/* Contacts of one body with another or with a wall are one fault. */
-static int complain_of_list(clast_world *w, const share *s, bool with_wall, int faults) {
+/* One contact that starts too deep. */
+typedef struct start_fault {
+    contact_record record;
+    double overlap;
+    char text[640];
+} start_fault;
+
+typedef struct start_faults {
+    start_fault *items;
+    size_t count, room;
+} start_faults;
+
+static void add_fault(clast_world *w, start_faults *f, const contact_record *r, double overlap,
+                      double small) {
+    char who[512];
+    if (f->count == f->room) {
+        f->items = memory_grow(w, f->items, f->room, 2 * f->room + 16, sizeof *f->items);
+        f->room = 2 * f->room + 16;
+    }
+    start_fault *to = &f->items[f->count++];
+    to->record = *r, to->overlap = overlap;
+    describe_pair(w, r, who, sizeof who);
+    snprintf(to->text, sizeof to->text,
+             "starts with an overlap of %.3g mm, %.3g of the smaller radius (limit %.3g): %s",
+             1e3 * overlap, overlap / small, w->def.max_overlap, who);
+}
+
+static void find_faults(clast_world *w, const share *s, bool with_wall, start_faults *f) {
     const contact_list *l = with_wall ? &s->walls : &s->contacts;
-    uint32_t last_a = 0, last_b = 0;
     size_t run = 0;
     for (size_t k = 0; k < l->count; k++) {
         contact_place at = {l, k, with_wall};
@@ -233,35 +274,43 @@ static int complain_of_list(clast_world *w, const share *s, bool with_wall, int 
         double small = contact_smaller_radius(w, &at);
         if (!(overlap > w->def.max_overlap * small)) continue;
         contact_record r = record_of(w, l, k, with_wall);
-        if (faults > 0 && r.a == last_a && r.b == last_b) continue;
-        last_a = r.a, last_b = r.b;
-        char who[512];
-        describe_pair(w, &r, who, sizeof who);
-        if (faults++ < NAMED)
-            world_complain(w,
-                           "starts with an overlap of %.3g mm, %.3g of the smaller radius "
-                           "(limit %.3g): %s",
-                           1e3 * overlap, overlap / small, w->def.max_overlap, who);
+        add_fault(w, f, &r, overlap, small);
     }
-    return faults;
 }
 
-static int complain_of_overlaps(clast_world *w) {
-    int faults = 0;
+/* By name; of the contacts of one body with another, or with a wall, the deepest first. */
+static int compare_faults(const void *left, const void *right) {
+    const start_fault *x = left, *y = right;
+    if (x->record.a != y->record.a) return x->record.a < y->record.a ? -1 : 1;
+    if (x->record.b != y->record.b) return x->record.b < y->record.b ? -1 : 1;
+    if (x->overlap != y->overlap) return x->overlap > y->overlap ? -1 : 1;
+    return record_compare(&x->record, &y->record);
+}
+
+/* Contacts of one body with another or with a wall are one fault. */
+static int complain_of_overlaps(clast_world *w, int faults) {
+    start_faults own = {0};
     for (int t = 0; t < w->threads; t++) {
-        faults = complain_of_list(w, &w->shares[t], false, faults);
-        faults = complain_of_list(w, &w->shares[t], true, faults);
+        find_faults(w, &w->shares[t], false, &own);
+        find_faults(w, &w->shares[t], true, &own);
     }
+    size_t count;
+    start_fault *all = ranks_gather(w, own.items, own.count, sizeof *all, &count);
+    if (count > 1) qsort(all, count, sizeof *all, compare_faults);
+    for (size_t k = 0; k < count; k++) {
+        const contact_record *r = &all[k].record, *last = k > 0 ? &all[k - 1].record : NULL;
+        if (last && r->a == last->a && r->b == last->b) continue;
+        if (faults++ < NAMED) world_complain(w, "%s", all[k].text);
+    }
+    free(all);
+    memory_return(w, own.room * sizeof *own.items), memory_release(own.items);
     return faults;
 }
 
-/* Needs built lists; `faults` have been complained of. The process with the most faults speaks. */
+/* Needs built lists; `faults` have been complained of. */
 clast_status guards_check_start(clast_world *w, int faults) {
-    double overlaps = complain_of_overlaps(w), all = overlaps;
-    ranks_reduce(w, &all, 0, 1);
-    faults += (int)all;
+    faults = complain_of_overlaps(w, faults);
     if (faults == 0) return CLAST_OK;
-    ranks_elect(w, &overlaps, w->error, sizeof w->error);
     if (faults > NAMED) world_complain(w, "... %d faults in all", faults);
     return CLAST_ERR_ARGUMENT;
 }

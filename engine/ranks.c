@@ -5,6 +5,7 @@
 #include <string.h>
 
 const rank_transport *ranks_transport;
+size_t ranks_piece = (size_t)1 << 30;
 
 int clast_ranks_number(void) {
     return ranks_transport ? ranks_transport->number : 0;
@@ -99,24 +100,26 @@ bool ranks_speaks(const clast_world *w) {
     return !w->ranks || w->ranks->by->number == 0;
 }
 
-int ranks_elect(const clast_world *w, double *value, char *text, size_t room) {
-    if (!w->ranks) return 0;
+void ranks_elect(const clast_world *w, double *keys, int count, char *text, size_t room) {
+    if (!w->ranks) return;
     const rank_transport *t = w->ranks->by;
-    double most = *value;
-    t->reduce(&most, 1, 0);
-    double first = *value == most ? -(double)t->number : -(double)t->count;
+    bool in = true;
+    for (int k = 0; k < count; k++) {
+        double most = in ? keys[k] : -INFINITY;
+        t->reduce(&most, 1, 0);
+        in = in && keys[k] == most;
+        keys[k] = most;
+    }
+    double first = in ? -(double)t->number : -(double)t->count;
     t->reduce(&first, 1, 0);
-    int who = (int)-first;
-    t->tell(text, room, who);
-    *value = most;
-    return who;
+    t->tell(text, room, (int)-first);
 }
 
 /* The first failure in the order of processes is that of all. */
 clast_status ranks_agree_status(clast_world *w, clast_status status) {
     if (!w->ranks) return status;
     double failed = status != CLAST_OK;
-    ranks_elect(w, &failed, w->error, sizeof w->error);
+    ranks_elect(w, &failed, 1, w->error, sizeof w->error);
     if (failed == 0) return status;
     double worst = (double)status;
     w->ranks->by->reduce(&worst, 1, 0);

@@ -37,6 +37,9 @@ typedef struct rank_transport {
 
 extern const rank_transport *ranks_transport; /* NULL without several processes */
 
+/* Bytes: what is longer goes in several messages, since MPI counts in 31 bits. Tests have less. */
+extern size_t ranks_piece;
+
 /* m, around the own bodies of a process when the lists were made; low > high where it has none */
 typedef struct rank_box {
     double low[3], high[3];
@@ -73,8 +76,10 @@ void ranks_agree(clast_world *w);
 void ranks_count_all(clast_world *w);
 bool ranks_speaks(const clast_world *w);
 clast_status ranks_agree_status(clast_world *w, clast_status status);
-/* The text of the process whose value is largest, the first of those; its number. */
-int ranks_elect(const clast_world *w, double *value, char *text, size_t room);
+/* The text of the process whose first key is largest, among equals the second, ...; `keys` become
+ * its own. Where all are equal, the first process speaks: keys that name the culprit make it the
+ * same one for any number of processes. */
+void ranks_elect(const clast_world *w, double *keys, int count, char *text, size_t room);
 /* `count` things of `size` bytes of every process, one behind the other; malloc'ed. */
 void *ranks_gather(const clast_world *w, const void *own, size_t count, size_t size, size_t *all);
 

@@ -38,6 +38,24 @@ double ranks_away(const clast_world *w, const rank_box *b, vec3 place) {
     return away == away ? away : 0;
 }
 
+/* From one box to the nearest image of another, along an axis. */
+static double gap_along(const rank_box *a, const rank_box *b, int axis, double length) {
+    double gap = INFINITY;
+    for (int image = -1; image <= 1; image++) {
+        double shift = image * length;
+        gap = fmin(
+            gap, fmax(b->low[axis] + shift - a->high[axis], a->low[axis] - b->high[axis] - shift));
+    }
+    return gap;
+}
+
+/* No body in one can be within reach of the other. */
+static bool are_apart(const clast_world *w, const rank_box *a, const rank_box *b, double reach) {
+    for (int k = 0; k < 3; k++)
+        if (gap_along(a, b, k, w->period.length[k]) >= reach) return true;
+    return false;
+}
+
 static bool is_empty(const rank_box *b) {
     return b->low[0] == INFINITY && b->high[0] == -INFINITY;
 }
@@ -73,11 +91,13 @@ static double reach_of_lists(const clast_world *w) {
 
 static void choose(clast_world *w) {
     ranks *r = w->ranks;
-    double more = reach_of_lists(w);
+    const rank_box *own = &r->boxes[r->by->number];
+    double more = reach_of_lists(w), most = w->largest_bound + more;
     r->out_count = 0;
     for (int q = 0; q < r->by->count; q++) {
         size_t before = r->out_count;
-        bool asks = q != r->by->number && !is_empty(&r->boxes[q]);
+        bool asks =
+            q != r->by->number && !is_empty(&r->boxes[q]) && !are_apart(w, own, &r->boxes[q], most);
         for (size_t i = 0; i < w->bodies.count && asks; i++) {
             double reach = w->shapes[w->bodies.shape[i]].bound + more;
             if (!(ranks_away(w, &r->boxes[q], body_position(w, i)) >= reach * reach))

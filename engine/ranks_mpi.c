@@ -50,26 +50,16 @@ static void add_words(uint64_t *words, int count) {
 
 /* ---- bytes ----------------------------------------------------------------------------------- */
 
-static int as_int(size_t bytes) {
-    CLAST_ASSERT(bytes <= INT32_MAX);
-    return (int)bytes;
+/* Of so many bytes, those of the piece that begins there. */
+static int piece_at(size_t bytes, size_t at) {
+    size_t rest = bytes - at, piece = rest < ranks_piece ? rest : ranks_piece;
+    CLAST_ASSERT(at <= bytes && piece <= INT32_MAX);
+    return (int)piece;
 }
 
 static void tell(void *bytes, size_t size, int from) {
-    MPI_Bcast(bytes, as_int(size), MPI_BYTE, from, MPI_COMM_WORLD);
-}
-
-static int *places_of(const size_t *sizes, int **counts) {
-    int *place = malloc(2 * (size_t)transport.count * sizeof *place);
-    size_t at = 0;
-    CLAST_ASSERT(place);
-    *counts = place + transport.count;
-    for (int q = 0; q < transport.count; q++) {
-        place[q] = as_int(at), (*counts)[q] = as_int(sizes[q]);
-        at += sizes[q];
-    }
-    as_int(at);
-    return place;
+    for (size_t at = 0; at < size; at += ranks_piece)
+        MPI_Bcast((char *)bytes + at, piece_at(size, at), MPI_BYTE, from, MPI_COMM_WORLD);
 }
 
 static size_t sum_of(const size_t *sizes) {
@@ -78,50 +68,79 @@ static size_t sum_of(const size_t *sizes) {
     return sum;
 }
 
+/* Where each one's begin, then how many they are. */
+static int *places_of(const size_t *sizes) {
+    int *place = malloc(2 * (size_t)transport.count * sizeof *place), at = 0;
+    CLAST_ASSERT(place);
+    for (int q = 0; q < transport.count; q++) {
+        place[q] = at, place[transport.count + q] = (int)sizes[q];
+        at += (int)sizes[q];
+    }
+    return place;
+}
+
 static char *room_for(size_t bytes) {
     char *room = malloc(bytes + 1);
     CLAST_ASSERT(room);
     return room;
 }
 
+/* Little in one go, much from one process after the other. */
 static char *gather(const void *bytes, size_t size, size_t *sizes) {
-    int *counts;
     MPI_Allgather(&size, sizeof size, MPI_BYTE, sizes, sizeof size, MPI_BYTE, MPI_COMM_WORLD);
-    int *place = places_of(sizes, &counts);
-    char *all = room_for(sum_of(sizes));
-    MPI_Allgatherv(bytes, as_int(size), MPI_BYTE, all, counts, place, MPI_BYTE, MPI_COMM_WORLD);
-    free(place);
+    size_t sum = sum_of(sizes);
+    char *all = room_for(sum), *to = all;
+    if (sum <= ranks_piece) {
+        int *place = places_of(sizes);
+        MPI_Allgatherv(bytes, (int)size, MPI_BYTE, all, place + transport.count, place, MPI_BYTE,
+                       MPI_COMM_WORLD);
+        free(place);
+        return all;
+    }
+    for (int q = 0; q < transport.count; to += sizes[q++]) {
+        if (q == transport.number) memcpy(to, bytes, size);
+        tell(to, sizes[q], q);
+    }
     return all;
 }
 
-static char *exchange(const void *out, const size_t *out_sizes, size_t *in_sizes) {
-    int *out_counts, *in_counts;
-    MPI_Alltoall(out_sizes, sizeof *out_sizes, MPI_BYTE, in_sizes, sizeof *in_sizes, MPI_BYTE,
-                 MPI_COMM_WORLD);
-    int *from = places_of(out_sizes, &out_counts), *to = places_of(in_sizes, &in_counts);
-    char *in = room_for(sum_of(in_sizes));
-    MPI_Alltoallv(out, out_counts, from, MPI_BYTE, in, in_counts, to, MPI_BYTE, MPI_COMM_WORLD);
-    free(from), free(to);
-    return in;
+static struct {
+    MPI_Request *items;
+    size_t count, room;
+} requests;
+
+static MPI_Request *next_request(void) {
+    if (requests.count == requests.room) {
+        requests.room = 2 * requests.room + 16;
+        requests.items = realloc(requests.items, requests.room * sizeof *requests.items);
+        CLAST_ASSERT(requests.items);
+    }
+    return &requests.items[requests.count++];
 }
 
 static int swap(const void *out, const size_t *out_sizes, void *in, const size_t *in_sizes) {
-    static MPI_Request *request;
-    int n = 0, sent = 0;
-    if (!request) request = malloc(2 * (size_t)transport.count * sizeof *request);
-    CLAST_ASSERT(request);
     char *to = in;
     const char *from = out;
-    for (int q = 0; q < transport.count; to += in_sizes[q], q++)
-        if (in_sizes[q] > 0)
-            MPI_Irecv(to, as_int(in_sizes[q]), MPI_BYTE, q, 0, MPI_COMM_WORLD, &request[n++]);
-    for (int q = 0; q < transport.count; from += out_sizes[q], q++) {
-        if (out_sizes[q] == 0) continue;
-        MPI_Isend(from, as_int(out_sizes[q]), MPI_BYTE, q, 0, MPI_COMM_WORLD, &request[n++]);
-        sent++;
-    }
-    MPI_Waitall(n, request, MPI_STATUSES_IGNORE);
-    return sent;
+    requests.count = 0;
+    for (int q = 0; q < transport.count; to += in_sizes[q++])
+        for (size_t at = 0; at < in_sizes[q]; at += ranks_piece)
+            MPI_Irecv(to + at, piece_at(in_sizes[q], at), MPI_BYTE, q, 0, MPI_COMM_WORLD,
+                      next_request());
+    size_t taken = requests.count;
+    for (int q = 0; q < transport.count; from += out_sizes[q++])
+        for (size_t at = 0; at < out_sizes[q]; at += ranks_piece)
+            MPI_Isend(from + at, piece_at(out_sizes[q], at), MPI_BYTE, q, 0, MPI_COMM_WORLD,
+                      next_request());
+    MPI_Waitall((int)requests.count, requests.items, MPI_STATUSES_IGNORE);
+    return (int)(requests.count - taken);
+}
+
+static char *exchange(const void *out, const size_t *out_sizes, size_t *in_sizes) {
+    MPI_Alltoall(out_sizes, sizeof *out_sizes, MPI_BYTE, in_sizes, sizeof *in_sizes, MPI_BYTE,
+                 MPI_COMM_WORLD);
+    char *in = room_for(sum_of(in_sizes));
+    swap(out, out_sizes, in, in_sizes);
+    return in;
 }
 
 /* ---- division -------------------------------------------------------------------------------- */
@@ -245,6 +264,8 @@ clast_status clast_ranks_begin(void) {
 
 void clast_ranks_end(void) {
     if (!begun) return;
+    free(requests.items);
+    requests.items = NULL, requests.room = 0;
     ranks_transport = NULL;
     if (reduction.numbers > 0) MPI_Type_free(&reduction.record);
     MPI_Op_free(&reduction.join);

@@ -147,12 +147,21 @@ static void lap(double *since, double *into) {
     *since = now;
 }
 
+/* What came in the step of a failure stands behind the ghosts as yet, and is told by nobody: it
+ * takes its place, so that the state at the failure has it. */
+static clast_status settle_arrivals(clast_world *w, clast_status failure) {
+    double arrived = (double)w->arrived;
+    ranks_reduce(w, &arrived, 1, 0);
+    if (arrived > 0) carry_lists(w), ranks_forget_ghosts(w), lists_rebuild(w);
+    return failure;
+}
+
 /* Contacts whose partner has left take their elastic energy along. */
 clast_status world_rebuild(clast_world *w) {
     bool leaving = w->found.outside || w->parts_changed;
     stored_energy before = leaving ? contacts_stored_energy(w) : (stored_energy){0, 0};
     clast_status s = w->found.outside ? guards_outside(w) : CLAST_OK;
-    if (s) return s;
+    if (s) return settle_arrivals(w, s);
     bool divide = ranks_wish_to_divide(w);
     if (divide)
         records_collect_here(w);

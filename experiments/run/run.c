@@ -34,7 +34,9 @@ typedef struct run {
     uint64_t loaded_step;          /* of the checkpoint that was resumed */
     bool extra_row, extra_frame;   /* at the last step: the end of the run, not due */
     bool loaded_row, loaded_frame; /* the same of the checkpoint that was resumed */
-    bool stop;                     /* that several processes have agreed on */
+    bool stop;                     /* that several processes have agreed on ... */
+    uint64_t agreed_at, agree_at;  /* ... in this step, and will next */
+    double agreed_when;            /* s, on the clock */
     int held;                      /* descriptor of the folder, or -1 */
     run_report report;
 } run;
@@ -102,17 +104,32 @@ static bool agreed(run *r, bool good) {
     return good;
 }
 
-/* So often, in steps, the processes ask each other whether to stop and the first one whether it is
- * time to speak. */
-enum { AGREE_EVERY = 64 };
+/* s: so often the processes ask each other whether to stop, and the first one whether it is time to
+ * speak. Who asks mpirun to end them has a second. */
+static const double AGREE_EVERY = 0.1;
+enum { AGREE_MOST = 1000 }; /* steps */
 
 static bool is_time_to_agree(const run *r) {
-    return clast_ranks_count() > 1 && clast_world_steps(r->world) % AGREE_EVERY == 0;
+    return clast_ranks_count() > 1 && clast_world_steps(r->world) >= r->agree_at;
+}
+
+/* By the clock of the first one, which says in how many steps. */
+static void plan_to_agree(run *r) {
+    double now = clock_seconds(), spent = now - r->agreed_when;
+    uint64_t step = clast_world_steps(r->world);
+    double steps = (double)(step - r->agreed_at) * AGREE_EVERY / fmax(spent, 1e-9);
+    steps = fmax(1, fmin(steps, AGREE_MOST));
+    clast_ranks_tell(&steps, sizeof steps);
+    r->agreed_when = now, r->agreed_at = step;
+    r->agree_at = step + (uint64_t)steps;
 }
 
 static bool has_to_stop(run *r) {
     if (clast_ranks_count() == 1) return stop_asked;
-    if (is_time_to_agree(r)) r->stop = clast_ranks_most(stop_asked) > 0;
+    if (is_time_to_agree(r)) {
+        r->stop = clast_ranks_most(stop_asked) > 0;
+        plan_to_agree(r);
+    }
     return r->stop;
 }
 

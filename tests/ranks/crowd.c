@@ -221,6 +221,32 @@ static clast_world *make_periodic(const clast_world_def *base) {
     return w;
 }
 
+/* Round along one axis, with walls on either side. */
+static clast_world *make_channel(const clast_world_def *base) {
+    clast_world_def d = *base;
+    d.periodic[0] = true, d.domain_min.x = -0.065, d.domain_max.x = 0.065;
+    d.gravity = (clast_vec3){5, 0, -8};
+    clast_world *w = new_world(&d);
+    add_sphere(w);
+    add_sides(w, 0, 0.03);
+    add_floor(w);
+    fill(w, 300, 12, 5, 0.0108, false);
+    return w;
+}
+
+/* Round along all three: nothing but bodies, three cells across. */
+static clast_world *make_gas(const clast_world_def *base) {
+    clast_world_def d = *base;
+    d.gravity = (clast_vec3){0, 0, 0};
+    d.domain_min = (clast_vec3){-0.0185, -0.0185, 0},
+    d.domain_max = (clast_vec3){0.0185, 0.0185, 0.2};
+    for (int k = 0; k < 3; k++) d.periodic[k] = true;
+    clast_world *w = new_world(&d);
+    add_sphere(w);
+    fill(w, 108, 3, 3, 0.012, false);
+    return w;
+}
+
 /* ---- coming and going
  * ---------------------------------------------------------------------------- */
 
@@ -279,9 +305,12 @@ static clast_world *make_bed(const clast_world_def *base) {
 }
 
 const crowd CROWDS[] = {
-    {"box", 200, make_box},           {"sizes", 300, make_sizes},     {"layer", 500, make_layer},
-    {"rods", 400, make_rods},          {"mixture", 400, make_mixture}, {"drum", 1000, make_drum},
-    {"periodic", 400, make_periodic}, {"grate", 2500, make_grate},    {"bed", 700, make_bed},
+    {"box", 200, false, make_box},           {"sizes", 300, false, make_sizes},
+    {"layer", 500, false, make_layer},       {"rods", 400, false, make_rods},
+    {"mixture", 400, false, make_mixture},   {"drum", 1000, true, make_drum},
+    {"periodic", 400, false, make_periodic}, {"grate", 2500, true, make_grate},
+    {"bed", 700, false, make_bed},           {"channel", 300, false, make_channel},
+    {"gas", 300, false, make_gas},
 };
 const int CROWD_COUNT = sizeof CROWDS / sizeof *CROWDS;
 

@@ -7,6 +7,7 @@
 typedef struct crowd {
     const char *name;
     uint64_t steps;
+    bool divides; /* anew, after the start: the work moves about */
     clast_world *(*make)(const clast_world_def *base);
 } crowd;
 

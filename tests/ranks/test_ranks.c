@@ -1,13 +1,16 @@
 /* Started by mpirun: every scene has the same bits on one process and shared by all of them, for
  * who reads it too, and going on from a checkpoint of either.
  *
- *     mpirun -n 4 ranks_test [--all] [SCENE...]     --all: with 1 and 2 threads each */
+ *     mpirun -n 4 ranks_test [--all] [--pieces] [SCENE...]
+ *     --all: with 1 and 2 threads each     --pieces: all messages in pieces of a thousand bytes */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "engine/ranks.h"
 #include "tests/ranks/crowd.h"
+#include "tests/ranks/guards.h"
 
 static bool failed_step(clast_world *w, const char *name) {
     if (clast_world_step(w) == CLAST_OK) return false;
@@ -92,13 +95,16 @@ typedef struct course {
     uint64_t half, end; /* readings */
 } course;
 
-/* Ghosts were sent, or the processes had nothing to do with each other. */
+/* Ghosts were sent, or the processes had nothing to do with each other; where work moves about,
+ * bodies were divided anew after the start. */
 static bool was_shared(clast_world *w, const crowd *c, bool alone) {
     if (alone || clast_ranks_count() == 1) return true;
     clast_counters now = clast_world_counters(w);
-    if (clast_ranks_most((double)now.ghosts_sent) > 0) return true;
-    fprintf(stderr, "%s: no body was a ghost\n", c->name);
-    return false;
+    bool sent = clast_ranks_most((double)now.ghosts_sent) > 0;
+    bool divided = now.divisions > 1 && clast_ranks_most((double)now.migrated) > 0;
+    if (!sent) fprintf(stderr, "%s: no body was a ghost\n", c->name);
+    if (c->divides && !divided) fprintf(stderr, "%s: was not divided again\n", c->name);
+    return sent && (divided || !c->divides);
 }
 
 /* From the start, or from a checkpoint at half its steps; leaves one there. Zeros where it fails.
@@ -175,15 +181,15 @@ static uint64_t meeting(double gap, bool alone) {
     clast_world *w = clast_world_new(&d);
     clast_material_def m = {.name = "m", .density = 2500, .young = 5e6, .poisson = 0.3};
     clast_pair_def p = {.restitution = 0.5, .friction = 0.5};
-    int material = clast_material_add(w, &m);
-    clast_pair_set(w, material, material, &p);
+    int grain = clast_material_add(w, &m);
+    clast_pair_set(w, grain, grain, &p);
     clast_vec3 centre = {0, 0, 0};
     clast_shape_def s = {
-        .name = "s", .material = material, .spheres = 1, .centre = &centre, .radius = &radius};
-    int shape = clast_shape_add(w, &s);
+        .name = "s", .material = grain, .spheres = 1, .centre = &centre, .radius = &radius};
+    int ball = clast_shape_add(w, &s);
     for (int k = 0; k < 2; k++) {
         double side = k ? 1 : -1;
-        clast_body_def b = {.shape = shape,
+        clast_body_def b = {.shape = ball,
                             .position = {side * radius * (1 + 0.5 * gap), 0, 0},
                             .velocity = {-0.5 * side, 0, 0}};
         clast_body_add(w, &b);
@@ -208,18 +214,25 @@ static int faults_of_meetings(void) {
     return faults;
 }
 
-static bool is_asked(const crowd *c, int argc, char **argv, int first) {
-    for (int i = first; i < argc; i++)
-        if (strcmp(argv[i], c->name) == 0) return true;
-    return argc == first;
+static bool is_asked(const crowd *c, int count, char **names) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(names[i], c->name) == 0) return true;
+    return count == 0;
+}
+
+static bool takes(int *argc, char ***argv, const char *option) {
+    if (*argc < 2 || strcmp((*argv)[1], option) != 0) return false;
+    (*argc)--, (*argv)++;
+    return true;
 }
 
 int main(int argc, char **argv) {
     if (clast_ranks_begin() != CLAST_OK) return 2;
-    bool all = argc > 1 && strcmp(argv[1], "--all") == 0;
-    int faults = faults_of_meetings();
+    bool all = takes(&argc, &argv, "--all");
+    if (takes(&argc, &argv, "--pieces")) ranks_piece = 1000;
+    int faults = faults_of_meetings() + faults_of_guards();
     for (int i = 0; i < CROWD_COUNT; i++)
-        if (is_asked(&CROWDS[i], argc, argv, all ? 2 : 1))
+        if (is_asked(&CROWDS[i], argc - 1, argv + 1))
             faults += faults_of(&CROWDS[i], all ? 1 : 1 + i % 2, all ? 2 : 1 + i % 2);
     clast_ranks_end();
     return faults > 0;
