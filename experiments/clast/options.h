@@ -13,7 +13,7 @@ typedef enum option_kind {
     OPTION_CHOICE  /* int: place of the word in `words` */
 } option_kind;
 
-enum { OPTION_LIST_MAX = 64 };
+enum { OPTION_LIST_MAX = 256 };
 
 typedef struct option_list {
     int count;

@@ -9,7 +9,7 @@
 #include "experiments/clast/arrows.h"
 #include "experiments/clast/stage_walls.h"
 
-enum { STRIPES = 8 };
+enum { STRIPES = 8, MARK = 48 };
 
 struct painter {
     results *results;
@@ -184,11 +184,12 @@ static void colour_by_height(painter *p, const frame *f, double *value) {
     render_colour_stripes(value, f->bodies, p->height_low, p->height_high, STRIPES, p->body_colour);
 }
 
-/* Bodies to be followed by eye. */
+/* Bodies to be followed by eye: as black as still shows where one ends and the next begins. */
 static void colour_marked(painter *p, const frame *f) {
     for (int k = 0; k < p->options.marked_count; k++)
         for (size_t i = 0; i < f->bodies; i++)
-            if (f->id[i] == p->options.marked[k]) p->body_colour[i] = (render_rgb){0, 0, 0};
+            if (f->id[i] == p->options.marked[k])
+                p->body_colour[i] = (render_rgb){MARK, MARK, MARK};
 }
 
 /* Colours the bodies; returns the top of the speed scale. */

@@ -65,6 +65,8 @@ double case_width(const grate_case *c); /* m */
  * bed that creeps from stroke to stroke knows no other clock. 1: as published. */
 double case_speed_up(const grate_case *c, study_size size);
 
+double case_bar_speed(const grate_case *c, study_size size); /* m/s, in the run */
+
 /* ---- what is read off ------------------------------------------------------------------------ */
 
 /* Means over the frames of the steady part. Bodies that fall in the air are no part of the bed. */

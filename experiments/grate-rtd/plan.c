@@ -154,6 +154,10 @@ double case_speed_up(const grate_case *c, study_size size) {
     return size == STUDY_PUBLISHED && c->group == GROUP_FEED ? 10 : 1;
 }
 
+double case_bar_speed(const grate_case *c, study_size size) {
+    return 1e-3 * BAR_SPEED * (is_fast(c) ? 10 : case_speed_up(c, size));
+}
+
 /* ---- jobs ------------------------------------------------------------------------------------ */
 
 static char *path_of(const char *name) {

@@ -34,15 +34,19 @@ static size_t frame_at(const char *run, double time) {
     return nearest;
 }
 
+/* speed_max, marked: NULL for neither. */
 static int still(const char *clast, const char *run, double time, const char *folder,
-                 const char *name, const char *colour, const char *marked) {
+                 const char *name, const char *colour, const char *speed_max, const char *marked) {
     char out[PATH_ROOM], frames[48], from[PATH_ROOM + 32], to[PATH_ROOM + 32];
     size_t nearest = frame_at(run, time);
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(frames, sizeof frames, "%zu:%zu", nearest, nearest);
-    int bad =
-        command((const char *const[]){clast, "render", run, "--out", out, "--frames", frames,
-                                      "--colour", colour, marked ? "--mark" : NULL, marked, NULL});
+    const char *arguments[16] = {clast,      "render", run,        "--out", out,
+                                 "--frames", frames,   "--colour", colour};
+    int n = 9;
+    if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
+    if (marked) arguments[n++] = "--mark", arguments[n++] = marked;
+    int bad = command(arguments);
     if (bad) return bad;
     snprintf(from, sizeof from, "%s/frame-000000.png", out);
     snprintf(to, sizeof to, "%s.png", out);
@@ -51,14 +55,14 @@ static int still(const char *clast, const char *run, double time, const char *fo
 
 int picture_still(const char *clast, const char *run, double time, const char *folder,
                   const char *name, const char *colour) {
-    return still(clast, run, time, folder, name, colour, NULL);
+    return still(clast, run, time, folder, name, colour, NULL, NULL);
 }
 
 int picture_marked(const char *clast, const char *run, double time, const char *folder,
-                   const char *name, const char *colour, uint32_t id) {
+                   const char *name, const char *colour, const char *speed_max, uint32_t id) {
     char marked[16];
     snprintf(marked, sizeof marked, "%u", (unsigned)id);
-    return still(clast, run, time, folder, name, colour, marked);
+    return still(clast, run, time, folder, name, colour, speed_max, marked);
 }
 
 /* ffmpeg is optional: without it there are frames and no film. */
@@ -76,12 +80,23 @@ static bool has_ffmpeg(void) {
 
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
                   const char *colour, const char *speed_max) {
-    char out[PATH_ROOM], movie[PATH_ROOM + 8];
+    return picture_movie_marked(clast, run, folder, name, colour, speed_max, NULL, 0);
+}
+
+int picture_movie_marked(const char *clast, const char *run, const char *folder, const char *name,
+                         const char *colour, const char *speed_max, const uint32_t *id, int count) {
+    if (count > PICTURE_MARKS) count = PICTURE_MARKS;
+    char out[PATH_ROOM], movie[PATH_ROOM + 8], marked[PICTURE_MARKS][16];
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(movie, sizeof movie, "%s.mp4", out);
-    const char *arguments[12] = {clast, "render", run, "--out", out, "--colour", colour};
+    const char *arguments[12 + 2 * PICTURE_MARKS] = {clast, "render",   run,   "--out",
+                                                     out,   "--colour", colour};
     int n = 7;
     if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
     if (has_ffmpeg()) arguments[n++] = "--animation", arguments[n++] = movie;
+    for (int i = 0; i < count; i++) {
+        snprintf(marked[i], sizeof marked[i], "%u", (unsigned)id[i]);
+        arguments[n++] = "--mark", arguments[n++] = marked[i];
+    }
     return command(arguments);
 }
