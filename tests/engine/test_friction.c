@@ -54,6 +54,38 @@ static void a_sticking_impact_forgets_the_coefficient(void **state) {
     CHECK_BELOW(fabs(a), 0.13 * collide(&c).normal_impulse * 40);
 }
 
+/* A00 1.73: the limit of friction counts the spring of the normal force, not its dashpot. Of a
+ * linear contact that is J = m v (1 + e) - 2 zeta^2 e m v: the dashpot's share until the force ends
+ * is c delta = c^2 e v / k, and half of it comes back while the spring, at rest, comes out. */
+static void the_limit_may_leave_out_the_dashpot(void **state) {
+    (void)state;
+    for (double e = 0.35; e < 1; e += 0.3) {
+        collision c = {.law = CLAST_LAW_LINEAR, .pair = pair_of(e, 0.13), .against_plane = true,
+                       .limit = CLAST_LIMIT_SPRING, .angle = 71 * PI / 180, .resolution = 3000};
+        rebound r = collide(&c);
+        double zeta = clast_damping_ratio(CLAST_LAW_LINEAR, e);
+        double towards = r.normal_impulse / (1 + e); /* m v */
+        double want = 0.13 * towards * (1 + e - 2 * zeta * zeta * e);
+        CHECK_CLOSE(r.tangential_impulse, -want, 1e-3);
+        CHECK_BELOW(-r.tangential_impulse, 0.13 * r.normal_impulse * (1 - zeta * zeta * e / 2));
+    }
+}
+
+/* A00 1.71: C counts for as long as the spheres touch. */
+static void cohesion_adds_to_the_limit(void **state) {
+    (void)state;
+    for (int l = 0; l < 3; l++) {
+        collision c = {.law = LAWS[l], .pair = pair_of(0.72, 0.13), .against_plane = true,
+                       .angle = 71 * PI / 180, .resolution = 3000, .phase = 0.6};
+        rebound without = collide(&c);
+        double mean = without.normal_impulse / without.duration; /* N */
+        c.pair.cohesion = 0.21 * mean;
+        rebound with = collide(&c);
+        CHECK_CLOSE(with.normal_impulse, without.normal_impulse, 1e-12);
+        CHECK_CLOSE(with.tangential_impulse, -(0.13 + 0.21) * without.normal_impulse, 1e-3);
+    }
+}
+
 /* ---- an incline ------------------------------------------------------------------------------ */
 
 typedef struct slope {
@@ -62,14 +94,15 @@ typedef struct slope {
 } slope;
 
 /* A ball on a plane that is tilted by turning gravity; x points downhill. */
-static slope ball_on_slope(clast_law law, double angle, double friction, double resolution) {
+static slope ball_on_slope(clast_law law, double angle, double friction, double cohesion,
+                           double resolution) {
     clast_world_def def = bare_def(law);
     def.gravity = vec(G * sin(angle), 0, -G * cos(angle));
     def.contact_resolution = resolution;
     def.rayleigh_fraction = 1;
     slope s = {new_world(&def), 0.0043};
     clast_pair_def pair = pair_of(0.55, friction);
-    pair.stiffness = 2100;
+    pair.stiffness = 2100, pair.cohesion = cohesion;
     two_materials m = add_materials(s.w, &pair);
     int ball = clast_shape_add_sphere(s.w, "ball", s.radius, m.soft);
     int part = clast_part_add(s.w, &(clast_part_def){.name = "slope"});
@@ -90,7 +123,7 @@ static double acceleration(clast_world *w, double from, double until) {
 static void a_ball_rolls_with_five_sevenths(void **state) {
     (void)state;
     for (int l = 0; l < 3; l++) {
-        slope s = ball_on_slope(LAWS[l], 0.21, 0.61, 40);
+        slope s = ball_on_slope(LAWS[l], 0.21, 0.61, 0, 40);
         double a = acceleration(s.w, 0.1, 0.3);
         clast_contact c;
         assert_int_equal(clast_world_contacts(s.w, &c, 1), 1);
@@ -107,8 +140,21 @@ static void a_ball_slides_down_a_steep_slope(void **state) {
     (void)state;
     for (int l = 0; l < 3; l++) {
         double mu = 0.09, angle = 0.63; /* tan 0.63 = 0.73 > 7/2 mu: slips */
-        slope s = ball_on_slope(LAWS[l], angle, mu, 40);
+        slope s = ball_on_slope(LAWS[l], angle, mu, 0, 40);
         CHECK_CLOSE(acceleration(s.w, 0.05, 0.2), G * (sin(angle) - mu * cos(angle)), 1e-6);
+        clast_world_free(s.w);
+    }
+}
+
+/* A00 1.71: mu N + C holds back. */
+static void cohesion_brakes_a_sliding_ball(void **state) {
+    (void)state;
+    for (int l = 0; l < 3; l++) {
+        double mu = 0.09, angle = 0.63, pull = 0.37; /* m/s2, of cohesion over mass */
+        double mass = 1130 * 4.0 / 3 * PI * pow(0.0043, 3);
+        slope s = ball_on_slope(LAWS[l], angle, mu, pull * mass, 40);
+        double want = G * (sin(angle) - mu * cos(angle)) - pull;
+        CHECK_CLOSE(acceleration(s.w, 0.05, 0.2), want, 1e-6);
         clast_world_free(s.w);
     }
 }
@@ -116,7 +162,7 @@ static void a_ball_slides_down_a_steep_slope(void **state) {
 /* The spin of the slipping ball grows with 5/2 mu g cos / r. */
 static void a_slipping_ball_spins_up(void **state) {
     (void)state;
-    slope s = ball_on_slope(CLAST_LAW_HERTZ_MINDLIN, 0.63, 0.09, 40);
+    slope s = ball_on_slope(CLAST_LAW_HERTZ_MINDLIN, 0.63, 0.09, 0, 40);
     run_to(s.w, 0.05);
     double w0 = body_of(s.w, 0).spin.y, t0 = clast_world_time(s.w);
     run_to(s.w, 0.2);
@@ -243,7 +289,10 @@ TEST_MAIN(cmocka_unit_test(a_grazing_impact_slides),
           cmocka_unit_test(unequal_spheres_slide_likewise),
           cmocka_unit_test(a_spinning_ball_kicks_off),
           cmocka_unit_test(a_sticking_impact_forgets_the_coefficient),
+          cmocka_unit_test(the_limit_may_leave_out_the_dashpot),
+          cmocka_unit_test(cohesion_adds_to_the_limit),
           cmocka_unit_test(a_ball_rolls_with_five_sevenths),
+          cmocka_unit_test(cohesion_brakes_a_sliding_ball),
           cmocka_unit_test(a_ball_slides_down_a_steep_slope),
           cmocka_unit_test(a_slipping_ball_spins_up), cmocka_unit_test(a_belt_carries_a_clump),
           cmocka_unit_test(a_moving_plate_carries_a_clump),
