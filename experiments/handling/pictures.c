@@ -43,20 +43,34 @@ static double time_of(const handling_study *s, const still *one) {
     return time > 0 ? time : 0;
 }
 
-/* The shape in the middle, as A00 Fig. 3.30 shows its case 3: at rest, in flow, at the end. */
+/* The shape in the middle at rest and in flow, as A00 Fig. 3.30 shows its case 3, and all at last.
+ */
 static int pictures_of_bin(const handling_study *s) {
-    const handling_run *run = flow_of(s, 0, SHAPES / 2, 0, 0);
-    return take(s, run, 0, "bin-1", "initial-height") |
-           take(s, run, 0.2, "bin-2", "initial-height") |
-           take(s, run, 1e9, "bin-3", "initial-height");
+    const handling_run *middle = flow_of(s, 0, SHAPES / 2, 0, 0);
+    int bad = take(s, middle, 0, "bin-rest", "initial-height") |
+              take(s, middle, 0.2, "bin-flow", "initial-height");
+    for (int i = 0; i < SHAPES; i++) {
+        char name[40];
+        snprintf(name, sizeof name, "bin-arch-%d", i + 1);
+        bad |= take(s, flow_of(s, 0, i, 0, 0), 1e9, name, "initial-height");
+    }
+    return bad;
 }
 
-static int film(const handling_study *s, scene_kind kind) {
-    const handling_run *run =
-        kind == BIN ? flow_of(s, 0, SHAPES / 2, ORIFICES - 1, 0) : run_of(s, kind, 0, 0);
-    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, KIND_NAME[kind],
-                               kind == MIXTURE ? "body" : "speed", NULL)
-               : 0;
+static int film(const handling_study *s, const handling_run *run, const char *name,
+                const char *colour) {
+    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, name, colour, NULL) : 0;
+}
+
+/* Each shape through the widest orifice. */
+static int films_of_bin(const handling_study *s) {
+    int bad = 0;
+    for (int i = 0; i < SHAPES; i++) {
+        char name[40];
+        snprintf(name, sizeof name, "bin-%d", i + 1);
+        bad |= film(s, flow_of(s, 0, i, ORIFICES - 1, 0), name, "initial-height");
+    }
+    return bad;
 }
 
 int handling_pictures(const handling_study *s) {
@@ -64,7 +78,10 @@ int handling_pictures(const handling_study *s) {
     for (size_t i = 0; i < sizeof STILLS / sizeof *STILLS; i++)
         bad |= take(s, run_of(s, STILLS[i].kind, 0, 0), time_of(s, &STILLS[i]), STILLS[i].name,
                     STILLS[i].kind == MIXTURE ? "body" : "speed");
-    bool small = s->size->shapes == 1; /* films take as long as all runs of the quick size */
-    for (int kind = 0; kind < KINDS && !small; kind++) bad |= film(s, (scene_kind)kind);
-    return bad ? 4 : 0;
+    if (s->size->shapes == 1) return bad ? 4 : 0; /* films take as long as all runs of that size */
+    for (int kind = 0; kind < KINDS; kind++)
+        if (kind != BIN)
+            bad |= film(s, run_of(s, (scene_kind)kind, 0, 0), KIND_NAME[kind],
+                        kind == MIXTURE ? "body" : "speed");
+    return bad | films_of_bin(s) ? 4 : 0;
 }

@@ -20,9 +20,9 @@ set label 1 letter(2); set ylabel ''
 plot for [k=1:4] of(fine[k]) using ($2*1e6):3 with lines lw (k == 4 ? 0.8 : 1.4) lc rgb tone[k] title sprintf('%g', fine[k])
 set lmargin at screen left(3, 3); set rmargin at screen right(3, 3)
 set label 1 letter(3)
-set logscale xy; set xrange [0.007:8]; set yrange [1e-6:30]; set format '10^{%T}'; set xtics autofreq
+set logscale xy; set xrange [0.007:8]; set yrange [1e-6:100]; set format '10^{%T}'; set xtics autofreq
 set xlabel 'step / critical step'; set ylabel 'error (%)'
-set key at graph 1,0.02 right bottom samplen 1.2
+set key at graph 0.02,0.98 left top Left reverse samplen 1.2
 spread_of = sprintf("< awk -F, 'NR > 1 { if (!($1 in l) || $3 < l[$1]) l[$1] = $3; if ($3 > m[$1]) m[$1] = $3 } END { for (r in l) print r \",\" l[r] \",\" m[r] }' '%s/impulse.csv' | sort -g", data)
 plot spread_of using 1:2:3 with filledcurves lc rgb ours_pale title '1 mm to 1 m', \
      rows('impulse', '$2 == 0.01') using 1:4 with linespoints pt 2 ps 0.7 lw 1 lc rgb ours title 'worst place', \
