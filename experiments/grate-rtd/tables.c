@@ -140,6 +140,26 @@ static int write_feeds(const grate_study *s) {
     return output_close(f);
 }
 
+/* Hold-up and bed of wood at 35 mm/s against the pitch, where there is more than one. */
+static int write_pitches(const grate_study *s) {
+    static const char NAME[] = "fast 13.6 kg/h";
+    FILE *f =
+        output_table(s->data, "pitches.csv", "pitch_mm,bodies,bodies_half,height_mm,height_half");
+    if (!f) return 4;
+    int scanned = 0;
+    for (int i = 0; i < s->count; i++)
+        scanned += s->results[i].rtd && !strncmp(s->results[i].of->name, NAME, strlen(NAME));
+    for (int i = 0; i < s->count && scanned > 1; i++) {
+        const grate_result *g = &s->results[i];
+        if (!g->rtd || strncmp(g->of->name, NAME, strlen(NAME)) != 0) continue;
+        fprintf(f, "%.4g", 1e3 * case_pitch(g->of));
+        put(f, g->bed.bodies, 1);
+        put(f, g->bed.height, 1e3);
+        fprintf(f, "\n");
+    }
+    return output_close(f);
+}
+
 /* ---- time and size --------------------------------------------------------------------------- */
 
 enum { LOOKS = 400, SIZE_CLASSES = 9 };
@@ -275,6 +295,6 @@ static int write_about(const grate_study *s) {
 int grate_write_tables(const grate_study *s) {
     CLAST_ASSERT(s);
     int bad = write_cases(s) | write_curves(s) | write_holdup(s) | write_sizes(s);
-    bad |= write_feeds(s) | write_packing(s) | write_variants(s);
+    bad |= write_feeds(s) | write_pitches(s) | write_packing(s) | write_variants(s);
     return bad | write_about(s) ? 4 : 0;
 }
