@@ -2,17 +2,17 @@
 # counterpart: none, our own measurement
 # needs: sensitivity.csv
 # caption: One assumption changed at a time; bars are 95 % intervals over the initial states, wide where there are two, and cut at the frame. Left: mean residence time at 0.2 ms. Middle: by how much it drifts up to 0.8 ms. Right: the step at which a run stops, to 0.1 ms.
-width = 17; height = 9
+width = 17; height = 9.7
 load style
 load tools.'/hopper-discharge/discharge.gpi'
 set multiplot
-all = sprintf("< sed '1d; s/\"walls, from the vertical\"/walls to the vertical/' '%s/sensitivity.csv'", data)
-set yrange [-8.6:0.6]; set grid noytics xtics
+all = sprintf("< sed '1d; s/\"walls, from the vertical\"/walls to the vertical/; s/\"rectangular, flat bottom\"/flat bottom/' '%s/sensitivity.csv'", data)
+set yrange [-9.6:0.6]; set grid noytics xtics
 row(n) = -n
 set tmargin at screen 1 - up(1.2)
 set key at screen 0.62,1 - up(0.1) center top maxrows 1
 set lmargin at screen across(5.2); set rmargin at screen across(8.7)
-set xlabel 'residence time, s'; set xrange [0.4:0.85]; set xtics 0.1
+set xlabel 'residence time, s'; set xrange [0.4:1.35]; set xtics 0.2
 plot all using 4:(row($0)):(spread($5)):ytic(strcol(1).(strcol(2) eq '' ? '' : ': '.strcol(2))) with xerrorbars pt 5 ps 0.8 lw 1.1 lc rgb tints[2] notitle
 unset label 999; unset ytics
 set lmargin at screen across(9.2); set rmargin at screen across(12.7)
