@@ -80,7 +80,8 @@ typedef struct newton_store {
     double *scratch; /* of the linear solver */
     size_t row_room;
     double *history; /* m, largest move made in each iteration of the last step */
-    int iterations;
+    int iterations, held_until; /* until then bodies are held one by one */
+    size_t pinned;              /* rows of bodies at a jump of their force */
     bool converged;
 } newton_store;
 

@@ -122,9 +122,29 @@ static double move_bodies(clast_world *w) {
  * one body is a push to its neighbours, all bodies go the same part of their ways after them. */
 enum { HELD_ITERATIONS = 40 };
 
+/* A body that stands at a jump of its force is pinned there: the others then go where they want to
+ * while it stays, and not where they would if it went. */
+static bool is_pinned(const newton_store *n, size_t row) {
+    return n->reach[2 * row] == 0;
+}
+
+static void pin(newton_store *n, size_t row) {
+    n->reach[2 * row] = 0;
+    n->pinned++;
+}
+
+static void hold_pinned(newton_store *n) {
+    for (size_t row = 0; n->pinned > 0 && row < n->rows; row++) {
+        if (!is_pinned(n, row)) continue;
+        double *block = sparse_diagonal(&n->matrix, row);
+        for (int k = 0; k < 3; k++) n->residual[3 * row + (size_t)k] = 0, block[4 * k] *= 1e12;
+    }
+}
+
 static void solve(clast_world *w) {
     newton_store *n = &w->integrator->newton;
     bonds_assemble(w, w->integrator->info);
+    hold_pinned(n);
     double tolerance = 1e-3 * w->def.newton_tolerance * w->smallest_radius;
     bool relax = w->def.linear_solver == CLAST_SOLVER_GAUSS_SEIDEL;
     sparse_solver *solver = relax ? sparse_gauss_seidel : sparse_conjugate_gradient;
@@ -155,14 +175,23 @@ static double go_part(clast_world *w) {
     return most;
 }
 
+/* kg2 m2, of the bodies that are not pinned. */
+static double missed_here(const newton_store *n) {
+    double missed = 0;
+    for (size_t row = 0; row < n->rows; row++) {
+        vec3 miss = v3_of(n->residual + 3 * row);
+        if (n->pinned == 0 || !is_pinned(n, row)) missed += v3_dot(miss, miss);
+    }
+    return missed;
+}
+
 /* Newton's method with a search along its direction: a place that misses less than the best so far
  * becomes the base of the next direction, else half of the way is tried. At a jump of the force no
  * place misses nothing, and the way shrinks until it is as good as none. */
 static double search(clast_world *w) {
     newton_store *n = &w->integrator->newton;
-    bool first = n->iterations == HELD_ITERATIONS;
-    double missed = 0;
-    for (size_t k = 0; k < 3 * n->rows; k++) missed += n->residual[k] * n->residual[k];
+    bool first = n->iterations == n->held_until;
+    double missed = missed_here(n);
     if (first || missed < n->missed) {
         n->missed = missed;
         n->part = first ? 1 : fmin(2 * n->part, 1);
@@ -174,26 +203,101 @@ static double search(clast_world *w) {
     return go_part(w);
 }
 
-static double iterate(clast_world *w) {
+static void look(clast_world *w) {
     evaluate(w);
     bonds_rank(w);
     find_residual(w);
-    if (w->integrator->newton.iterations >= HELD_ITERATIONS) return search(w);
+}
+
+static double iterate(clast_world *w) {
+    newton_store *n = &w->integrator->newton;
+    look(w);
+    if (n->iterations >= n->held_until) return search(w);
     solve(w);
     return move_bodies(w);
+}
+
+/* ---- where a step ends ------------------------------------------------------------------------
+ */
+
+/* Bodies may go as far as they want. */
+static void release(newton_store *n, size_t row) {
+    for (int k = 0; k < 3; k++) n->last[3 * row + (size_t)k] = 0;
+    n->reach[2 * row] = INFINITY, n->reach[2 * row + 1] = 0;
+}
+
+static void begin_held(newton_store *n) {
+    n->held_until = n->iterations + HELD_ITERATIONS;
+}
+
+/* m, of the body that wants to go farthest by the last solution, whatever holds it. */
+static double longest_wish(const newton_store *n) {
+    double most = 0;
+    for (size_t row = 0; row < n->rows; row++) most = fmax(most, v3_norm(v3_of(n->move + 3 * row)));
+    return most;
+}
+
+/* From the base, where each wants to, and so far at most. */
+static void go_a_little(clast_world *w, double far) {
+    newton_store *n = &w->integrator->newton;
+    for (size_t i = 0; i < w->bodies.count; i++) {
+        size_t row = 3 * (size_t)n->rank[w->bodies.id[i]];
+        vec3 way = v3_of(n->move + row);
+        double length = v3_norm(way);
+        if (length > far) way = v3_scale(far / length, way);
+        body_place(w, i, v3_add(v3_of(n->base + row), way));
+    }
+}
+
+/* kg: what a displacement of the body changes its row by is at most twice this times its way, where
+ * nothing jumps. */
+static double stiffness_of(const newton_store *n, size_t row) {
+    const double *block = sparse_diagonal(&n->matrix, row);
+    return block[0] + block[4] + block[8];
+}
+
+/* That bodies are held is no reason to end a step. It ends where the equations are fulfilled, or,
+ * for a body whose force jumps (a contact of the linear law with a dashpot begins), at the jump:
+ * what is missing is another thing a few tolerances on. Others are released. */
+static bool ends_here(clast_world *w, double tolerance) {
+    enum { FAR = 4 };
+    newton_store *n = &w->integrator->newton;
+    bool ends = true;
+    n->pinned = 0;
+    look(w);
+    solve(w);
+    keep_base(w);
+    double *before = n->scratch; /* of the linear solver, which is done */
+    memcpy(before, n->residual, 3 * n->rows * sizeof *before);
+    go_a_little(w, FAR * tolerance);
+    look(w);
+    for (size_t row = 0; row < n->rows; row++) {
+        vec3 miss = v3_of(before + 3 * row), change = v3_sub(v3_of(n->residual + 3 * row), miss);
+        double fulfilled = 4 * FAR * tolerance * stiffness_of(n, row);
+        bool missing = v3_norm(miss) > fulfilled, jumps = v3_norm(change) > 0.5 * v3_norm(miss);
+        release(n, row);
+        if (missing && jumps) pin(n, row);
+        ends = ends && (!missing || jumps);
+    }
+    go_a_little(w, 0);
+    if (ends) evaluate(w);
+    return ends;
 }
 
 static void find_root(clast_world *w) {
     newton_store *n = &w->integrator->newton;
     double tolerance = w->def.newton_tolerance * w->smallest_radius, way = 0;
-    memset(n->last, 0, 3 * n->row_room * sizeof *n->last);
-    for (size_t k = 0; k < 2 * n->row_room; k++) n->reach[k] = k % 2 ? 0 : INFINITY;
+    for (size_t row = 0; row < n->row_room; row++) release(n, row);
     n->converged = false;
-    n->iterations = 0;
+    n->iterations = n->pinned = 0;
+    begin_held(n);
     while (n->iterations < w->def.newton_iterations && !n->converged && way < INFINITY) {
         way = iterate(w);
         n->history[n->iterations++] = way;
-        n->converged = way <= tolerance;
+        if (!(way <= tolerance)) continue;
+        bool wishless = n->pinned == 0 && longest_wish(n) <= tolerance;
+        n->converged = wishless || ends_here(w, tolerance);
+        if (!n->converged && n->iterations > n->held_until) begin_held(n);
     }
 }
 
