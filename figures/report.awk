@@ -16,7 +16,7 @@ function exists(file,    line, found) {
 # runs where there is no interval.
 function with_half(mean, half, n, bare,    decimals) {
     if (mean == "") return "none"
-    if (half == "") return minus(sprintf("%.4g", mean)) (bare ? "" : " (n = " n ")")
+    if (half == "") return minus(sprintf("%.4g", mean)) (bare || n == 0 ? "" : " (n = " n ")")
     decimals = half > 0 ? 1 - floor(log(half) / log(10) + 1e-9) : 3
     if (decimals < 0) decimals = 0
     return minus(sprintf("%." decimals "f ± %." decimals "f", mean, half))

@@ -40,8 +40,10 @@
 #define PULSE_UNTIL    0.5   /* s after the opening */
 #define PRESSURE_FROM  0.1   /* s */
 #define PRESSURE_UNTIL 0.3
-#define RESTS_BELOW    0.5  /* of the speed of free fall from the orifice: on the heap */
-#define CHAMBER_FULL   0.95 /* of its depth: the heap below the orifice leaves no room to flow */
+#define RESTS_BELOW    0.5   /* of the speed of free fall from the orifice: on the heap */
+#define BED_SAMPLE     0.01  /* s, series of bed.yaml */
+#define FLOW_SAMPLE    0.005 /* s, series of flow.yaml */
+#define CHAMBER_FULL   0.95  /* of its depth: the heap below the orifice leaves no room to flow */
 
 enum {
     MAIN_SHAPES = 4,
@@ -243,27 +245,34 @@ typedef double fact(const aspect_case *c);
 /* Values of one setting and variant; how many. */
 int values_at(const aspect_study *s, int shape, int setting, int of_variant, fact *of,
               double value[REPLICATES_MAX]);
-/* Over the replicates of a shape at the cheaper setting (the source's where there are none). */
+/* Over the replicates of a shape at the cheaper setting (the source's where there are none). Of a
+ * time that is read off a series, no interval is narrower than a sample of it. */
 interval over(const aspect_study *s, int shape, fact *of);
 /* The same over the replicates of a variant. */
 interval over_variant(const aspect_study *s, int of_variant, fact *of);
 /* The source's setting alone; n = 0 without. */
 interval at_thesis(const aspect_study *s, int shape, fact *of);
 
-/* One-sided P that the fact does not rise (sign 1) or fall (-1) over the aspect ratio, by the slope
- * over all replicates of the main shapes up to `shapes`; NAN with too few. */
+/* Tests with the replicates of each shape as the unit; NAN with fewer than two of a shape. Welch
+ * and Satterthwaite's degrees of freedom throughout.
+ *
+ * One-sided P that the fact does not rise (sign 1) or fall (-1) over the aspect ratio, by the slope
+ * of the means of the main shapes up to `shapes`. */
 double trend_p(const aspect_study *s, fact *of, int sign, int shapes);
-/* One-sided P that the fact of spheres is not above that of all longer main shapes. */
+/* The same of each step from a shape to the next: the largest of their P, so that a small one shows
+ * that every step goes that way. */
+double steps_p(const aspect_study *s, fact *of, int sign, int shapes);
+/* One-sided P that the fact of spheres is not above that of each longer main shape; the largest. */
 double spheres_above_p(const aspect_study *s, fact *of);
 /* One-sided P that shape a is not above shape b. */
 double above_p(const aspect_study *s, fact *of, int a, int b);
-/* One-sided P that the mean of the fact over all replicates of the main shapes is not above 0. */
+/* One-sided P that the mean of the fact is not above 0 for each main shape; the largest. */
 double positive_p(const aspect_study *s, fact *of);
 
-/* Slope of a fact over the aspect ratio, over all replicates of the main shapes; two-sided P. */
+/* Slope of the means over the aspect ratio; two-sided P, and that of every step going its way. */
 typedef struct trend {
-    double slope, half, p; /* NAN with too few */
-    int n;
+    interval slope;
+    double p, p_steps;
 } trend;
 trend trend_of(const aspect_study *s, fact *of);
 
@@ -295,7 +304,8 @@ typedef struct contrasted {
     double change, half, p; /* of a from b, 95 % and two-sided P by the pooled scatter */
     double df;              /* of that; 0: nothing to go by, all NAN */
 } contrasted;
-/* relative: change and scatter in percent; else as they are. */
+/* relative: change and scatter in percent; else as they are. There is no percentage of a mean of 0:
+ * such a group adds nothing to the scatter, and a change from it is NAN. */
 contrasted contrast_of(const aspect_study *s, const contrast *k, fact *of, bool relative);
 
 /* One run beside replicates: does it lie outside of what one more of them would lie in (95 %)? */

@@ -30,7 +30,7 @@ static interval of_group(const aspect_study *s, group g, fact *of) {
 }
 
 static void add_squares(interval x, bool relative, double *sum, double *df) {
-    if (x.n < 2) return;
+    if (x.n < 2 || (relative && x.mean == 0)) return;
     double sd = relative ? 100 * x.sd / fabs(x.mean) : x.sd;
     *sum += (x.n - 1) * sd * sd, *df += x.n - 1;
 }
@@ -42,7 +42,7 @@ contrasted contrast_of(const aspect_study *s, const contrast *k, fact *of, bool 
     for (int shape = 0; shape < SHAPES; shape++)
         add_squares(of_group(s, (group){shape, 0}, of), relative, &sum, &df);
     add_squares(of_group(s, (group){1, SHARED}, of), relative, &sum, &df);
-    if (r.a.n == 0 || r.b.n == 0) return r;
+    if (r.a.n == 0 || r.b.n == 0 || (relative && r.b.mean == 0)) return r;
     r.change = relative ? 100 * (r.a.mean / r.b.mean - 1) : r.a.mean - r.b.mean;
     if (df < 1) return r;
     double grown = relative ? r.a.mean / r.b.mean : 1; /* of a ratio, to first order */

@@ -144,10 +144,18 @@ int values_at(const aspect_study *s, int shape, int setting, int of_variant, fac
     return n;
 }
 
+/* s: a time is known to a sample of the series that it is read off. */
+static double known_within(fact *of) {
+    if (of == stable) return BED_SAMPLE;
+    return of == delay || of == first || of == start_up ? FLOW_SAMPLE : 0;
+}
+
 static interval over_cases(const aspect_study *s, int shape, int setting, int of_variant,
                            fact *of) {
     double value[REPLICATES_MAX];
-    return mean_interval(value, values_at(s, shape, setting, of_variant, of, value));
+    interval r = mean_interval(value, values_at(s, shape, setting, of_variant, of, value));
+    if (r.n > 1) r.half = fmax(r.half, known_within(of));
+    return r;
 }
 
 interval over(const aspect_study *s, int shape, fact *of) {

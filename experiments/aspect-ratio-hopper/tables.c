@@ -62,15 +62,14 @@ static int write_settings(const aspect_study *s) {
 }
 
 static int write_trends(const aspect_study *s) {
-    FILE *f = output_table(s->data, "trends.csv", "group,fact,unit,n,slope,p");
+    FILE *f = output_table(s->data, "trends.csv", "group,fact,unit,slope,p,p_steps");
     if (!f) return 4;
     for (int i = 0; i < FACT_COUNT; i++) {
         trend t = trend_of(s, FACTS[i].of);
-        if (!isfinite(t.half)) continue;
+        if (!isfinite(t.p)) continue;
         char text[60];
-        interval slope = {t.slope, NAN, t.half, t.n};
-        interval_text(&slope, text, sizeof text);
-        fprintf(f, "all,%s,%s,%d,%s,%.2g\n", FACTS[i].name, FACTS[i].unit, t.n, text, t.p);
+        interval_text(&t.slope, text, sizeof text);
+        fprintf(f, "all,%s,%s,%s,%.2g,%.2g\n", FACTS[i].name, FACTS[i].unit, text, t.p, t.p_steps);
     }
     return output_close(f);
 }

@@ -1,75 +1,76 @@
-/* trends.c - what the source says in words of how things change, as one-sided tests. */
-#include <gsl/gsl_cdf.h>
+/* trends.c - what the source says in words of how things change, as one-sided tests. The unit is
+ * the replicate: what shapes differ by is what is asked for, and no scatter to test it against. */
 #include <math.h>
 
 #include "engine/check.h"
 #include "experiments/aspect-ratio-hopper/aspect.h"
 
-enum { POINTS = MAIN_SHAPES * REPLICATES_MAX };
-
-/* Values of a main shape at the setting that replicates have; how many. */
-static int values_of(const aspect_study *s, int shape, fact *of, double *value) {
-    int setting = s->size->replicates[CHEAP] > 0 ? CHEAP : THESIS, n = 0;
-    for (int k = 0; k < REPLICATES_MAX; k++) {
-        const aspect_case *c = case_of(s, shape, setting, 0, k);
-        if (c && isfinite(of(c))) value[n++] = of(c);
+/* The slope of the line through the means of the first `shapes`, each weighing the same. A linear
+ * contrast: its error is that of the means, not what they lie off the line by. */
+static estimate slope_over(const aspect_study *s, fact *of, int shapes) {
+    interval mean[MAIN_SHAPES];
+    double weight[MAIN_SHAPES], middle = 0, squares = 0, slope = 0;
+    for (int i = 0; i < shapes; i++) middle += chain_of(i).aspect / shapes;
+    for (int i = 0; i < shapes; i++) squares += pow(chain_of(i).aspect - middle, 2);
+    for (int i = 0; i < shapes; i++) {
+        mean[i] = over(s, i, of);
+        weight[i] = (chain_of(i).aspect - middle) / squares;
+        slope += weight[i] * mean[i].mean;
     }
-    return n;
+    return estimate_of(slope, mean, weight, shapes);
 }
 
-/* Over the replicates of the first `shapes`. */
-static fitted_line line_over(const aspect_study *s, fact *of, int shapes) {
-    double aspect[POINTS] = {0}, value[POINTS] = {0};
-    int n = 0;
-    for (int shape = 0; shape < shapes; shape++) {
-        int more = values_of(s, shape, of, value + n);
-        for (int k = 0; k < more; k++) aspect[n + k] = chain_of(shape).aspect;
-        n += more;
-    }
-    return line_fit(aspect, value, n);
+static estimate times(estimate e, int sign) {
+    e.value *= sign;
+    return e;
 }
 
 double trend_p(const aspect_study *s, fact *of, int sign, int shapes) {
-    CLAST_ASSERT(shapes <= MAIN_SHAPES && (sign == 1 || sign == -1));
-    fitted_line line = line_over(s, of, shapes);
-    if (line.n < 3 || !(line.slope_error > 0)) return NAN;
-    return gsl_cdf_tdist_Q(sign * line.slope / line.slope_error, line.n - 2);
-}
-
-trend trend_of(const aspect_study *s, fact *of) {
-    fitted_line line = line_over(s, of, MAIN_SHAPES);
-    trend t = {NAN, NAN, NAN, line.n};
-    if (line.n < 3 || !(line.slope_error > 0)) return t;
-    t.slope = line.slope;
-    t.half = gsl_cdf_tdist_Pinv(0.975, line.n - 2) * line.slope_error;
-    t.p = 2 * gsl_cdf_tdist_Q(fabs(line.slope) / line.slope_error, line.n - 2);
-    return t;
-}
-
-/* Welch's test, one-sided. */
-static double above(interval a, interval b) {
-    if (a.n < 2 || b.n < 2) return NAN;
-    t_test t = t_test_welch(a, b);
-    return gsl_cdf_tdist_Q(t.t, t.df);
-}
-
-double spheres_above_p(const aspect_study *s, fact *of) {
-    double sphere[REPLICATES_MAX], longer[POINTS];
-    int few = values_of(s, 0, of, sphere), many = 0;
-    for (int shape = 1; shape < MAIN_SHAPES; shape++)
-        many += values_of(s, shape, of, longer + many);
-    return above(mean_interval(sphere, few), mean_interval(longer, many));
+    CLAST_ASSERT(shapes > 1 && shapes <= MAIN_SHAPES && (sign == 1 || sign == -1));
+    return estimate_above_p(times(slope_over(s, of, shapes), sign));
 }
 
 double above_p(const aspect_study *s, fact *of, int a, int b) {
-    return above(over(s, a, of), over(s, b, of));
+    static const double DIFFERENCE[] = {1, -1};
+    interval both[] = {over(s, a, of), over(s, b, of)};
+    return estimate_above_p(estimate_of(both[0].mean - both[1].mean, both, DIFFERENCE, 2));
+}
+
+/* What is claimed of each of several is shown when it is shown of the one that shows it least; NAN
+ * when it cannot be known of one (intersection-union: no correction for their number). */
+static double least_shown(double p, double other) {
+    return isnan(p) || isnan(other) ? (double)NAN : fmax(p, other);
+}
+
+double steps_p(const aspect_study *s, fact *of, int sign, int shapes) {
+    CLAST_ASSERT(shapes > 1 && shapes <= MAIN_SHAPES && (sign == 1 || sign == -1));
+    double p = 0;
+    for (int i = 1; i < shapes; i++)
+        p = least_shown(p, sign > 0 ? above_p(s, of, i, i - 1) : above_p(s, of, i - 1, i));
+    return p;
+}
+
+double spheres_above_p(const aspect_study *s, fact *of) {
+    double p = 0;
+    for (int i = 1; i < MAIN_SHAPES; i++) p = least_shown(p, above_p(s, of, 0, i));
+    return p;
 }
 
 double positive_p(const aspect_study *s, fact *of) {
-    double value[POINTS];
-    int n = 0;
-    for (int shape = 0; shape < MAIN_SHAPES; shape++) n += values_of(s, shape, of, value + n);
-    interval all = mean_interval(value, n);
-    if (n < 2) return NAN;
-    return gsl_cdf_tdist_Q(all.mean / (all.sd / sqrt(n)), n - 1);
+    static const double ONE = 1;
+    double p = 0;
+    for (int i = 0; i < MAIN_SHAPES; i++) {
+        interval mean = over(s, i, of);
+        p = least_shown(p, estimate_above_p(estimate_of(mean.mean, &mean, &ONE, 1)));
+    }
+    return p;
+}
+
+trend trend_of(const aspect_study *s, fact *of) {
+    estimate e = slope_over(s, of, MAIN_SHAPES);
+    double rises = estimate_above_p(e), falls = estimate_above_p(times(e, -1));
+    int sign = e.value < 0 ? -1 : 1;
+    return (trend){.slope = estimate_interval(e),
+                   .p = 2 * fmin(rises, falls),
+                   .p_steps = steps_p(s, of, sign, MAIN_SHAPES)};
 }

@@ -35,21 +35,11 @@ static void say_each(const court *c, const aspect_study *s, const char *what, co
 
 /* ---- the bed --------------------------------------------------------------------------------- */
 
-/* Fall from a to b in percent of a; errors of the means add up in squares. */
-static interval fall(interval a, interval b) {
-    interval r = {100 * (1 - b.mean / a.mean), NAN, NAN, a.n < b.n ? a.n : b.n};
-    if (a.n > 1 && b.n > 1)
-        r.half = 100 * b.mean / a.mean * hypot(a.half / a.mean, b.half / b.mean);
-    return r;
-}
-
-/* Share of the fall from a to c that comes between b and c; errors of the means by their partial
- * derivatives, in squares. */
+/* Share of the fall from a to c that comes between b and c. */
 static interval share_of_fall(interval a, interval b, interval c) {
     double whole = a.mean - c.mean, share = (b.mean - c.mean) / whole;
-    interval r = {share, NAN, NAN, (int)fmin(a.n, fmin(b.n, c.n))};
-    if (r.n > 1) r.half = hypot(hypot(b.half, share * a.half), (1 - share) * c.half) / fabs(whole);
-    return r;
+    double slope[] = {-share / whole, 1 / whole, (share - 1) / whole};
+    return estimate_interval(estimate_of(share, (interval[]){a, b, c}, slope, 3));
 }
 
 static interval slowest(const aspect_study *s) {
@@ -65,14 +55,14 @@ static void judge_bed(const court *c, const aspect_study *s) {
     fact *phi = fact_named("solid fraction"), *z = fact_named("co-ordination number");
     interval one = over(s, 0, phi), two = over(s, 1, phi), four = over(s, 3, phi);
     say(c, "time until the slowest bed is stable", slowest(s));
-    say(c, "solid fraction: fall from aspect 1 to 4", fall(one, four));
+    say(c, "solid fraction: fall from aspect 1 to 4", fall_percent(one, four));
     say(c, "solid fraction: share of the fall between aspect 2 and 4",
         share_of_fall(one, two, four));
     say_each(c, s, "skewness of the solid fraction", "skewness");
     say_each(c, s, "kurtosis of the solid fraction", "kurtosis");
     say_each(c, s, "particles in a full cell", "particles in a full cell");
-    say(c, "co-ordination: fall from aspect 1 to 2", fall(over(s, 0, z), over(s, 1, z)));
-    say(c, "co-ordination: fall from aspect 2 to 4", fall(over(s, 1, z), over(s, 3, z)));
+    say(c, "co-ordination: fall from aspect 1 to 2", fall_percent(over(s, 0, z), over(s, 1, z)));
+    say(c, "co-ordination: fall from aspect 2 to 4", fall_percent(over(s, 1, z), over(s, 3, z)));
     say_each(c, s, "force on the bottom: difference from the weight",
              "bottom force off the weight");
 }
@@ -117,7 +107,7 @@ static void judge_flow(const court *c, const aspect_study *s) {
     say_each(c, s, "log10 of the energy ratio of a particle", "energy ratio by particles");
     say_each(c, s, "angle of the shear band", "shear angle");
     interval five = over(s, SHAPES - 1, fact_named("rate"));
-    interval change = fall(over(s, 0, fact_named("rate")), five);
+    interval change = fall_percent(over(s, 0, fact_named("rate")), five);
     change.mean = -change.mean;
     if (five.n > 0) say(c, "rate: change from aspect 1 to 5", change);
 }
@@ -126,12 +116,12 @@ static void judge_flow(const court *c, const aspect_study *s) {
 
 static void judge_trend(const court *c, const aspect_study *s, const char *quantity,
                         const char *name, int sign, int shapes) {
-    say(c, quantity, interval_exact(trend_p(s, fact_named(name), sign, shapes)));
+    say(c, quantity, interval_of_none(trend_p(s, fact_named(name), sign, shapes)));
 }
 
 static void judge_spheres(const court *c, const aspect_study *s, const char *quantity,
                           const char *name) {
-    say(c, quantity, interval_exact(spheres_above_p(s, fact_named(name))));
+    say(c, quantity, interval_of_none(spheres_above_p(s, fact_named(name))));
 }
 
 /* -fact, for what is smaller in spheres. */
@@ -155,7 +145,7 @@ static void judge_trends(const court *c, const aspect_study *s) {
     judge_spheres(c, s, "P: spheres have the larger energy ratio centre", "energy ratio centre");
     judge_spheres(c, s, "P: spheres have the larger energy ratio right", "energy ratio right");
     say(c, "P: the energy ratio is smallest in the centre",
-        interval_exact(positive_p(s, fact_named("energy ratio sides over centre"))));
+        interval_of_none(positive_p(s, fact_named("energy ratio sides over centre"))));
     judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle left",
                   "energy ratio left by particles");
     judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle centre",
@@ -163,14 +153,14 @@ static void judge_trends(const court *c, const aspect_study *s) {
     judge_spheres(c, s, "P: spheres have the larger energy ratio of a particle right",
                   "energy ratio right by particles");
     say(c, "P: the energy ratio of a particle is smallest in the centre",
-        interval_exact(positive_p(s, fact_named("energy ratio sides over centre by particles"))));
+        interval_of_none(positive_p(s, fact_named("energy ratio sides over centre by particles"))));
     judge_spheres(c, s, "P: the shear band of spheres is steeper", "steepness of the shear band");
     say(c, "P: side walls feel a stronger pulse of longer particles",
-        interval_exact(spheres_above_p(s, no_pulse)));
+        interval_of_none(spheres_above_p(s, no_pulse)));
     judge_trend(c, s, "P: the wall pressure grows with the aspect ratio", "wall load", 1, 3);
     const char *level = "level of the heap at 1.4 s"; /* what fills the chamber is level */
     say_where(c, "P: the heap of aspect 2 is steeper than that of aspect 1",
-              interval_exact(above_p(s, fact_named("heap slope at 1.4 s"), 1, 0)),
+              interval_of_none(above_p(s, fact_named("heap slope at 1.4 s"), 1, 0)),
               !is_full(s, 0, level) && !is_full(s, 1, level));
     judge_spheres(c, s, "P: tracked spheres turn more than longer particles",
                   "turned by tracked particles");

@@ -27,6 +27,10 @@ interval interval_exact(double value) {
     return (interval){value, NAN, NAN, 1};
 }
 
+interval interval_of_none(double value) {
+    return (interval){value, NAN, NAN, 0};
+}
+
 /* ---- straight lines -------------------------------------------------------------------------- */
 
 fitted_line line_fit(const double *x, const double *y, int n) {
@@ -110,6 +114,44 @@ double beverloo_c(double q, double rho, double D, double kd, double d) {
     const double g = 981; /* cm/s2 */
     if (!(D > kd) || !(rho > 0)) return NAN;
     return q / (4 * sqrt(2) / PI * sqrt(g) * rho * d * pow(D - kd, 1.5));
+}
+
+/* ---- numbers made of several means ------------------------------------------------------------
+ */
+
+estimate estimate_of(double value, const interval *part, const double *slope, int count) {
+    CLAST_ASSERT(part && slope && count > 0 && count <= ESTIMATE_PARTS);
+    estimate e = {value, NAN, NAN, part[0].n};
+    double sum = 0, below = 0; /* of Satterthwaite's quotient */
+    for (int i = 0; i < count; i++) {
+        e.n = part[i].n < e.n ? part[i].n : e.n;
+        if (slope[i] == 0) continue;
+        double v = part[i].n > 1 ? slope[i] * slope[i] * part[i].sd * part[i].sd / part[i].n : NAN;
+        sum += v;
+        below += v * v / (part[i].n - 1);
+    }
+    e.error = sqrt(sum);
+    e.df = below > 0 ? sum * sum / below : NAN;
+    return e;
+}
+
+interval estimate_interval(estimate e) {
+    interval r = {e.value, NAN, NAN, e.n};
+    if (e.error > 0) r.half = gsl_cdf_tdist_Pinv(0.975, e.df) * e.error;
+    if (e.error == 0) r.half = 0;
+    return r;
+}
+
+double estimate_above_p(estimate e) {
+    if (e.error > 0) return gsl_cdf_tdist_Q(e.value / e.error, e.df);
+    if (e.error == 0 && e.value != 0) return e.value > 0 ? 0 : 1;
+    return NAN;
+}
+
+interval fall_percent(interval a, interval b) {
+    CLAST_ASSERT(a.mean != 0);
+    double rest = b.mean / a.mean, slope[2] = {100 * rest / a.mean, -100 / a.mean};
+    return estimate_interval(estimate_of(100 * (1 - rest), (interval[]){a, b}, slope, 2));
 }
 
 /* ---- tests of two means ---------------------------------------------------------------------- */

@@ -20,7 +20,8 @@ typedef struct interval {
 } interval;
 
 interval mean_interval(const double *x, int n); /* n >= 0 */
-interval interval_exact(double value);          /* one value without a spread: n = 1 */
+interval interval_exact(double value);          /* one sample, its spread not known: n = 1 */
+interval interval_of_none(double value);        /* of no sample at all, as a P is: n = 0 */
 
 /* ---- straight lines -------------------------------------------------------------------------- */
 
@@ -72,6 +73,26 @@ beverloo beverloo_fit(const double *D, const double *q, int n, double d);
  * g/cm2, g = 981 cm/s2, as A00 printed it. With an areal density the formula has one length too
  * many: C comes out per cm, and C d is the pure number. NAN when D <= kd. */
 double beverloo_c(double q, double rho, double D, double kd, double d);
+
+/* ---- numbers made of several means ------------------------------------------------------------
+ */
+
+typedef struct estimate {
+    double value, error, df; /* standard error; NAN when the spread of a part is not known */
+    int n;                   /* the fewest samples of a part */
+} estimate;
+
+enum { ESTIMATE_PARTS = 16 };
+
+/* `value` is a function of the means of independent samples, slope[i] its derivative by the i-th.
+ * To first order: the squared error is the sum of (slope sd)^2 / n, its degrees of freedom those of
+ * Welch and Satterthwaite. 1 to ESTIMATE_PARTS parts; one with the slope 0 counts for nothing but
+ * n. */
+estimate estimate_of(double value, const interval *part, const double *slope, int count);
+
+interval estimate_interval(estimate e); /* sd NAN: there is no one sample */
+double estimate_above_p(estimate e);    /* one-sided P that it is not above 0; NAN when unknown */
+interval fall_percent(interval a, interval b); /* from a to b, percent of a; a.mean not 0 */
 
 /* ---- tests of two means ---------------------------------------------------------------------- */
 

@@ -135,6 +135,8 @@ void interval_text(const interval *x, char *text, size_t room) {
     CLAST_ASSERT(x && text && room > 0);
     if (!isfinite(x->mean)) {
         snprintf(text, room, "none");
+    } else if (x->n == 0) {
+        snprintf(text, room, "%.4g", x->mean);
     } else if (!isfinite(x->half)) {
         snprintf(text, room, "%.4g (n = %d)", x->mean, x->n);
     } else { /* two digits of the interval */

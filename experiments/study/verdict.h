@@ -62,8 +62,8 @@ verdict verdict_of(double target, interval ours, tolerance allowed, bool compara
  * (said on stderr). */
 int verdict_finish(const verdict_table *v, const char *csv, FILE *out);
 
-/* "47.3 ± 2.1": two digits of the interval decide; "47.31 (n = 1)" without one; "none" without a
- * mean. */
+/* "47.3 ± 2.1": two digits of the interval decide; "47.31 (n = 1)" without one; "0.0213" where no
+ * sample was taken; "none" without a mean. */
 void interval_text(const interval *x, char *text, size_t room);
 
 #endif

@@ -260,6 +260,50 @@ static void smooth_chains_have_the_scatter_of_the_others(void **state) {
     assert_true(isnan(contrast_of(&s, &none, fact_named("rate"), true).half));
 }
 
+/* Two runs of each shape, 1 above and below 10, 8, 6 and 4: each mean has the squared error 1. The
+ * slope -2 has 0.2, its degrees of freedom are 0.04/0.0164 = 2.44. A step of 2 has 2, of which P(t2
+ * > 2/sqrt 2) = 1/2 - sqrt 2/4. */
+static void a_trend_is_tested_by_its_replicates(void **state) {
+    (void)state;
+    static aspect_study s;
+    s = (aspect_study){.size = &SIZES[STUDY_PUBLISHED]};
+    for (int shape = 0; shape < MAIN_SHAPES; shape++)
+        for (int up = -1; up <= 1; up += 2) add_case(&s, shape, CHEAP, 0, 10 - 2 * shape + up);
+    fact *rate = fact_named("rate");
+    trend t = trend_of(&s, rate);
+    double step = 0.5 - sqrt(2) / 4, p = trend_p(&s, rate, -1, 4);
+    assert_true(fabs(t.slope.mean + 2) < 1e-12 && t.slope.n == 2);
+    assert_true(p > 0.0104 && p < 0.0233); /* t = 4.472 of 3 and of 2 */
+    assert_true(fabs(t.p - 2 * p) < 1e-12 && fabs(trend_p(&s, rate, 1, 4) - (1 - p)) < 1e-12);
+    assert_true(fabs(t.p_steps - step) < 1e-9 && fabs(steps_p(&s, rate, -1, 2) - step) < 1e-9);
+    assert_true(fabs(spheres_above_p(&s, rate) - step) < 1e-9);
+    add_case(&s, 3, CHEAP, 0, 13); /* a mean of 7: the last step rises */
+    assert_true(steps_p(&s, rate, -1, 4) > 0.5 && fabs(steps_p(&s, rate, -1, 3) - step) < 1e-9);
+}
+
+static void a_time_is_known_to_a_sample(void **state) {
+    (void)state;
+    static aspect_study s;
+    s = (aspect_study){.size = &SIZES[STUDY_PUBLISHED]};
+    for (int k = 0; k < 3; k++) add_case(&s, 0, CHEAP, 0, 50);
+    for (int k = 0; k < 3; k++) s.cases[k].flow.delay = 0.045;
+    assert_true(over(&s, 0, fact_named("start-up delay")).half == FLOW_SAMPLE);
+    assert_true(over(&s, 0, fact_named("rate")).half == 0);
+}
+
+static void nothing_is_a_percentage_of_nought(void **state) {
+    (void)state;
+    static aspect_study s;
+    s = (aspect_study){.size = &SIZES[STUDY_PUBLISHED]};
+    add_case(&s, 0, CHEAP, 0, 0), add_case(&s, 0, CHEAP, 0, 0);
+    add_case(&s, 1, CHEAP, 0, 49.5), add_case(&s, 1, CHEAP, 0, 50.5);
+    add_case(&s, 6, CHEAP, 0, 40);
+    const contrast over_spheres = {"", "", {6, 0}, {0, 0}}, over_two = {"", "", {6, 0}, {1, 0}};
+    assert_true(isnan(contrast_of(&s, &over_spheres, fact_named("rate"), true).change));
+    assert_true(contrast_of(&s, &over_spheres, fact_named("rate"), false).change == 40);
+    assert_true(contrast_of(&s, &over_two, fact_named("rate"), true).half > 0);
+}
+
 static void one_run_stands_apart_from_replicates(void **state) {
     (void)state;
     interval four = {100, 2, NAN, 4}; /* 3.18 * 2 * sqrt(1.25) = 7.12 */
@@ -299,6 +343,9 @@ int main(void) {
         cmocka_unit_test(a_setting_differs_by_its_mean_over_the_shapes),
         cmocka_unit_test(smooth_chains_have_the_scatter_of_the_others),
         cmocka_unit_test(one_run_stands_apart_from_replicates),
+        cmocka_unit_test(a_trend_is_tested_by_its_replicates),
+        cmocka_unit_test(a_time_is_known_to_a_sample),
+        cmocka_unit_test(nothing_is_a_percentage_of_nought),
         cmocka_unit_test(chains_in_space_turn_about_either_axis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -261,6 +261,40 @@ static void tests_of_equality(void **state) {
     assert_false(equivalence_test(interval_exact(NAN), interval_exact(1), 0.02).equal);
 }
 
+/* Worked by hand: a fall from 5 (sd 0.2, 4 runs) to 4 (sd 0.1, 2 runs) is 20 %. Slopes 100*4/25 =
+ * 16 and -100/5 = -20; squared errors (16*0.2)^2/4 = 2.56 and (20*0.1)^2/2 = 2, together 4.56;
+ * degrees of freedom 4.56^2 / (2.56^2/3 + 2^2/1) = 20.7936/6.184533 = 3.36219. */
+static void a_fall_has_welch_and_satterthwaite(void **state) {
+    (void)state;
+    interval a = {5, 0.2, NAN, 4}, b = {4, 0.1, NAN, 2};
+    double slope[2] = {16, -20};
+    estimate e = estimate_of(20, (interval[]){a, b}, slope, 2);
+    NEAR(e.error, sqrt(4.56), 1e-12);
+    NEAR(e.df, 3.36219, 1e-5);
+    interval fall = fall_percent(a, b);
+    NEAR(fall.mean, 20, 1e-12);
+    NEAR(fall.half, 2.995 * sqrt(4.56), 0.01); /* t between 3.182 (3) and 2.776 (4) */
+    assert_true(fall.n == 2 && isnan(fall.sd));
+    assert_true(isnan(fall_percent(a, interval_exact(4)).half));
+}
+
+/* With the same spread and number on both sides it is the pooled test; beside that of one mean. */
+static void an_estimate_is_tested_as_a_difference(void **state) {
+    (void)state;
+    interval a = {0.2, 0.05, NAN, 5}, b = {0.23, 0.02, NAN, 9}, zero = interval_exact(0);
+    double apart[2] = {1, -1}, alone[2] = {1, 0};
+    estimate e = estimate_of(-0.03, (interval[]){a, b}, apart, 2);
+    NEAR(2 * (1 - estimate_above_p(e)), t_test_welch(a, b).p, 1e-12);
+    estimate one = estimate_of(0.2, (interval[]){a, zero}, alone, 2);
+    NEAR(one.df, 4, 1e-12);
+    NEAR(one.error, 0.05 / sqrt(5), 1e-15);
+    assert_true(one.n == 1);
+    interval still = {1, 0, 0, 3};
+    assert_true(estimate_above_p(estimate_of(1, &still, apart, 1)) == 0);
+    assert_true(estimate_interval(estimate_of(1, &still, apart, 1)).half == 0);
+    assert_true(isnan(estimate_above_p(estimate_of(0, &still, apart, 1))));
+}
+
 enum { PROFILE = 61 };
 static void profile_of(double x[PROFILE], double v[PROFILE], double v0, double b, double noise) {
     for (int i = 0; i < PROFILE; i++) {
@@ -359,6 +393,8 @@ int main(void) {
         cmocka_unit_test(beverloo_interval_covers),
         cmocka_unit_test(tests_of_means),
         cmocka_unit_test(tests_of_equality),
+        cmocka_unit_test(a_fall_has_welch_and_satterthwaite),
+        cmocka_unit_test(an_estimate_is_tested_as_a_difference),
         cmocka_unit_test(kinematic_recovered),
         cmocka_unit_test(kinematic_is_the_least),
         cmocka_unit_test(kinematic_of_nothing),

@@ -85,6 +85,7 @@ static void intervals_as_text(void **state) {
     text_of(1234.5, 321.9, 3, "1234 ± 322");
     text_of(0.84, 0, 3, "0.840 ± 0.000");
     text_of(0.79123, NAN, 1, "0.7912 (n = 1)");
+    text_of(0.0213, NAN, 0, "0.0213"); /* a P has no samples */
     text_of(NAN, NAN, 0, "none");
 }
 
