@@ -129,15 +129,14 @@ static void take_value(options *o, const char *name, char *value) {
 static void take_scaling(options *o) {
     static const char *const SIZES[] = {"S1k",  "S3k",   "S10k",  "A20k",
                                         "S40k", "A100k", "S300k", "S1M"};
-    o->scene_count = 0;
     for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++) take_scene(o, SIZES[i]);
 }
 
 static void fill_in(options *o) {
     static const char *const QUICK[] = {"A20k", "B", "G100"};
+    if (o->scene_count == 0 && o->scaling) take_scaling(o);
     if (o->scene_count == 0 && o->quick)
         for (int i = 0; i < 3; i++) take_scene(o, QUICK[i]);
-    if (o->scaling) take_scaling(o);
     bool all = o->scene_count == 0;
     for (int i = 0; all && i < bench_scene_count; i++)
         if (bench_scenes[i].use == BENCH_USE_ALL) o->scenes[o->scene_count++] = &bench_scenes[i];
