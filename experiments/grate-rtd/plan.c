@@ -115,7 +115,7 @@ const grate_case CASES[] = {
      .hours = PUBLISHED(0.15), .feed = 13.6, WOOD, .across = 2, .pitch = 0.074},
     {.name = "fast 13.6 kg/h: 98 mm", .group = GROUP_VARIANT, .assumption = "pitch",
      .of = "fast 13.6 kg/h", .device = BACKWARD, .scene = LINEAR, .set = {WOOD_FAST},
-     .hours = PUBLISHED(0.15), .feed = 13.6, WOOD, .across = 2, .pitch = 0.098},
+     .hours = PUBLISHED(0.3), .feed = 13.6, WOOD, .across = 2, .pitch = 0.098},
     {.name = "fast 13.6 kg/h: 109 mm", .group = GROUP_VARIANT, .assumption = "pitch",
      .of = "fast 13.6 kg/h", .device = BACKWARD, .scene = LINEAR, .set = {WOOD_FAST},
      .hours = PUBLISHED(0.15), .feed = 13.6, WOOD, .across = 2, .pitch = 0.109},

@@ -12,6 +12,6 @@ theory(n) = n < 1.5 ? 0.5236 : 0.28 * (2.05 * n - 1) / n
 set arrow 1 from 0.5,0.574 to 10.6,0.574 nohead dt (6,4) lw 0.8 lc rgb thesis
 set arrow 2 from 0.5,wide(2) to 10.6,wide(2) nohead dt (6,4) lw 0.8 lc rgb ours
 set samples 19
-plot '+' using (floor($0) / 2 + 1.5):(floor($0) / 2 + 1.5 < 2 ? NaN : theory(floor($0) / 2 + 1.5)) with lines lw 0.9 lc rgb thesis, \
+plot '+' using (floor($0) / 2.0 + 1.5):(floor($0) / 2.0 + 1.5 < 2 ? NaN : theory(floor($0) / 2.0 + 1.5)) with lines lw 0.9 lc rgb thesis, \
      rows('packing', '1') using 1:5 with points pt 9 ps 0.9 lc rgb thesis title 'published', \
      rows('packing', '1') using 1:2:(spread($3)) with yerrorbars pt 7 ps 0.8 lw 1.1 lc rgb ours title 'poured'
