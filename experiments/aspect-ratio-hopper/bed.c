@@ -35,7 +35,8 @@ static void measure_cells(aspect_case *c, const frame *f) {
     for (int i = 0; i < g.rows * g.columns; i++)
         if (g.number[i] > 0) filled[n++] = g.counted[i];
     b->phi = gsl_stats_mean(g.counted, 1, (size_t)full);
-    b->phi_exact = gsl_stats_mean(g.exact, 1, (size_t)full);
+    /* discs that overlap would count twice */
+    b->phi_exact = c->chain.density > 1 ? (double)NAN : gsl_stats_mean(g.exact, 1, (size_t)full);
     b->per_cell = gsl_stats_mean(g.number, 1, (size_t)full);
     b->phi_all = gsl_stats_mean(filled, 1, (size_t)n);
     b->skewness = gsl_stats_skew(filled, 1, (size_t)n);

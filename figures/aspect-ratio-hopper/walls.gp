@@ -13,11 +13,11 @@ do for [p=1:10] { set label 20 + p sprintf('{/:Bold %d}', p) at screen 0.22 + 0.
 set xrange [0:0.8]; set yrange [0:*]
 stats data.'/walls.csv' using 4 every ::1 nooutput
 top = STATS_max
-set yrange [0:top]
+set yrange [0:100 * ceil(top / 100 + 0.2)]; set ytics 100
 do for [k=1:4] {
     left = k % 2 == 1 ? 1.7 : 9.6
     set lmargin at screen across(left); set rmargin at screen across(left + 7)
-    set bmargin at screen up(k <= 2 ? 5.95 : 1.8); set tmargin at screen 1 - up(k <= 2 ? 0.95 : 5.2)
+    set bmargin at screen up(k <= 2 ? 6.3 : 1.8); set tmargin at screen 1 - up(k <= 2 ? 0.95 : 5.45)
     set xlabel (k > 2 ? 'time (s)' : ''); set ylabel (k % 2 == 1 ? 'force (N)' : '')
     set label 1 'aspect '.k at graph 0.97,0.93 right tc rgb ink
     if (k > 1) { unset label 999; do for [p=20:30] { unset label p } }
