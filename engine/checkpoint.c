@@ -576,6 +576,9 @@ static clast_status check_and_install(clast_world *w, const char *path, saved *s
     if (!fault && s->part_count != (size_t)w->part_count) fault = "parts are missing";
     if (!fault) fault = flow_fault(w, &s->flow, s->next_id);
     if (fault) return world_fail(w, CLAST_ERR_FORMAT, "checkpoint %s is damaged: %s", path, fault);
+    /* the contacts of the start have felt velocities that nobody saves, those at the time of the
+     * positions: they are as the scene makes them */
+    if (s->step == 0 && s->hash == clast_world_hash(w)) return CLAST_OK;
     install(w, s);
     uint64_t hash = clast_world_hash(w);
     if (hash != s->hash)

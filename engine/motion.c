@@ -30,9 +30,9 @@ void body_load(const clast_world *w, size_t slot, vec3 *force, vec3 *torque) {
     *torque = v3(t * (double)sum.torque[0], t * (double)sum.torque[1], t * (double)sum.torque[2]);
 }
 
-/* All of the overhang: what lies beyond its count comes alive when the count grows. */
+/* All rows and all of the overhang: what lies beyond the count comes alive when that grows. */
 void loads_clear(clast_world *w) {
-    memset(w->rows.loads, 0, w->bodies.count * sizeof *w->rows.loads);
+    memset(w->rows.loads, 0, w->rows.bodies * sizeof *w->rows.loads);
     for (int t = 0; t < w->threads; t++) {
         share *s = &w->shares[t];
         if (s->overhang) memset(s->overhang, 0, s->overhang_capacity * sizeof *s->overhang);

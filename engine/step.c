@@ -130,10 +130,9 @@ clast_status clast_world_prepare(clast_world *w) {
     ledger_set_scale(w);
     contacts_restore(w); /* the same forces; sums in the ledger's quanta */
     if (w->integrator)
-        integrator_start(w);
+        integrator_start(w), rows_fill(w, 0, w->bodies.count);
     else
-        velocities_start(w);
-    rows_fill(w, 0, w->bodies.count);
+        velocities_start(w); /* rows stay as contacts felt them: readers change nothing */
     w->contact_dt = w->dt;
     ledger_start(w);
     return CLAST_OK;

@@ -390,6 +390,44 @@ static void a_restart_feeds_on(void **state) {
     clast_world_free(p.w), clast_world_free(q.w);
 }
 
+/* Pairs pushed together, of which some fly into the outlet; later bodies are fed. */
+static clast_world *new_leavers(void) {
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
+    def.time_step = 1e-5;
+    clast_world *w = new_world(&def);
+    clast_pair_def pair = pair_of(0.3, 0.4);
+    two_materials m = add_materials(w, &pair);
+    int ball = clast_shape_add_sphere(w, "ball", R, m.soft);
+    for (int i = 0; i < 20; i++) {
+        double side = i % 2 ? 1 : -1, z = 0.05 * (i / 2);
+        add_body(w, ball, vec(0.98 * R * side, 0, z), vec(0, i < 12 ? 2 : 0, 0), vec(0, 0, 0));
+    }
+    clast_feed_def feed = {.name = "late", .region_min = {-0.2, -0.2, -0.2},
+                           .region_max = {0.2, -0.1, -0.1}, .shapes = 1, .shape = &ball,
+                           .number_rate = 2000, .from = 6e-3};
+    clast_outlet_def out = {.name = "end", .point = {0, 0.01, 0}, .normal = {0, 1, 0}};
+    assert_true(clast_feed_add(w, &feed) >= 0 && clast_outlet_add(w, &out) >= 0);
+    return w;
+}
+
+/* A world that goes on has felt its bodies of the start, and has fewer afterwards: who comes then
+ * feels nothing of them. */
+static void a_restart_forgets_its_start(void **state) {
+    (void)state;
+    clast_world *w = new_leavers();
+    scratch_name file = scratch_file("leavers.h5");
+    run_to(w, 5.5e-3);
+    assert_int_equal(clast_world_bodies(w).count, 8);
+    assert_int_equal(clast_checkpoint_save(w, file.text, NULL), CLAST_OK);
+    clast_world *again = new_leavers();
+    if (clast_checkpoint_load(again, file.text, NULL)) fail_msg("%s", clast_world_error(again));
+    run_to(w, 8e-3), run_to(again, 8e-3);
+    assert_true(clast_world_counters(w).fed > 3);
+    assert_true(clast_world_hash(w) == clast_world_hash(again));
+    clast_world_free(w), clast_world_free(again);
+    remove(file.text);
+}
+
 static void a_restart_knows_its_feed(void **state) {
     (void)state;
     plant p = new_plant(&(plant_wish){.rate = 0.5});
@@ -483,6 +521,7 @@ TEST_MAIN(cmocka_unit_test(a_feed_keeps_its_rate),
           cmocka_unit_test(free_fall_is_booked_to_rounding),
           cmocka_unit_test(any_threads_skin_and_lanes), cmocka_unit_test(threads_come_and_go),
           cmocka_unit_test(a_restart_feeds_on),
+          cmocka_unit_test(a_restart_forgets_its_start),
           cmocka_unit_test(a_restart_knows_its_feed),
           cmocka_unit_test(memory_does_not_grow_with_who_left),
           cmocka_unit_test(bad_definitions_are_refused),

@@ -84,6 +84,16 @@ static clast_world *make_box(const clast_world_def *base) {
     return w;
 }
 
+/* In touch from the start, each with a way of its own. */
+static clast_world *make_pressed(const clast_world_def *base) {
+    clast_world *w = new_world(base);
+    add_sphere(w);
+    add_sides(w, 0.0405, 0.0405);
+    add_floor(w);
+    fill(w, 300, 8, 8, 0.0098, false);
+    return w;
+}
+
 static clast_world *make_sizes(const clast_world_def *base) {
     clast_world *w = new_world(base);
     for (int i = 0; i < 4; i++)
@@ -310,7 +320,7 @@ const crowd CROWDS[] = {
     {"mixture", 400, false, make_mixture},   {"drum", 1000, true, make_drum},
     {"periodic", 400, false, make_periodic}, {"grate", 2500, true, make_grate},
     {"bed", 700, false, make_bed},           {"channel", 300, false, make_channel},
-    {"gas", 300, false, make_gas},
+    {"gas", 300, false, make_gas},           {"pressed", 200, false, make_pressed},
 };
 const int CROWD_COUNT = sizeof CROWDS / sizeof *CROWDS;
 

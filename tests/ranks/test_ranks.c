@@ -118,6 +118,7 @@ static course run(const crowd *c, bool alone, int threads, const char *from, con
         return all;
     }
     bool good = true;
+    if (!alone && !from) reading_of(w); /* who reads changes nothing, at the start neither */
     while (good && clast_world_steps(w) < c->steps / 2) good = !failed_step(w, c->name);
     if (good && to && clast_checkpoint_save(w, to, NULL) != CLAST_OK) {
         fprintf(stderr, "%s: %s\n", c->name, clast_world_error(w));
