@@ -15,6 +15,7 @@
 #include "experiments/run/results.h"
 #include "experiments/study/command.h"
 #include "experiments/study/jobs.h"
+#include "experiments/study/output.h"
 #include "experiments/study/statistics.h"
 
 /* ---- constants of the source (A00 5.2, Table 5.1) -------------------------------------------- */
@@ -176,7 +177,7 @@ typedef struct aspect_case {
 
 typedef struct aspect_study {
     const aspect_size *size;
-    char root[600], data[640], frames[640];
+    study_folders to;
     job *beds, *rests, *flows;
     aspect_case cases[CASES_MAX]; /* one per bed and flow */
     int count;
@@ -325,6 +326,6 @@ fact *fact_named(const char *name); /* aborts when there is none */
 int aspect_write_tables(const aspect_study *s);
 int aspect_write_maps(const aspect_study *s);
 int aspect_pictures(const aspect_study *s);
-int aspect_verdicts(const aspect_study *s, const char *path);
+int aspect_verdicts(const aspect_study *s);
 
 #endif

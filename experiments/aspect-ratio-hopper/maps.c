@@ -17,7 +17,7 @@ static void write_cells(FILE *f, const aspect_case *c, const cells *g, double ti
 }
 
 static int write_maps(const aspect_study *s) {
-    FILE *f = output_table(s->data, "cells.csv", "shape,time_s,x_cm,z_cm,counted,exact");
+    FILE *f = output_table(s->to.data, "cells.csv", "shape,time_s,x_cm,z_cm,counted,exact");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
         const aspect_case *c = shown_case(s, shape);
@@ -37,7 +37,7 @@ static int write_maps(const aspect_study *s) {
 /* Percent of the cells with a particle, over all replicates at the cheaper setting. */
 static int write_distribution(const aspect_study *s) {
     enum { BANDS = 24 };
-    FILE *f = output_table(s->data, "distribution.csv", "shape,from,percent");
+    FILE *f = output_table(s->to.data, "distribution.csv", "shape,from,percent");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
         double count[BANDS] = {0}, all = 0;

@@ -33,7 +33,7 @@ static int still(const aspect_study *s, sheet sheet_of, double time, bool at_res
     frame *taken[MAIN_SHAPES];
     char path[800];
     take_frames(s, time, at_rest, taken);
-    snprintf(path, sizeof path, "%s/%s.png", s->frames, name);
+    snprintf(path, sizeof path, "%s/%s.png", s->to.frames, name);
     studio *o = studio_new(&sheet_of);
     int bad = o ? studio_still(o, (const frame *const *)taken, path) : 4;
     studio_free(o);
@@ -57,7 +57,7 @@ static int arch_picture(const aspect_study *s) {
                      .titles = {c->chain.name}};
         results *r = run_open(c->flow_folder);
         frame *f = run_frame(r, c->flow.lowest_at);
-        snprintf(path, sizeof path, "%s/arch.png", s->frames);
+        snprintf(path, sizeof path, "%s/arch.png", s->to.frames);
         studio *o = studio_new(&one);
         int bad = o ? studio_still(o, (const frame *const *)&f, path) : 4;
         studio_free(o);
@@ -70,8 +70,8 @@ static int arch_picture(const aspect_study *s) {
 
 static int film(const aspect_study *s, sheet sheet_of, const char *name) {
     char folder[760], path[800];
-    snprintf(folder, sizeof folder, "%s/%s", s->frames, name);
-    snprintf(path, sizeof path, "%s/%s.mp4", s->frames, name);
+    snprintf(folder, sizeof folder, "%s/%s", s->to.frames, name);
+    snprintf(path, sizeof path, "%s/%s.mp4", s->to.frames, name);
     results *runs[MAIN_SHAPES] = {NULL};
     size_t longest = 0;
     for (int k = 0; k < MAIN_SHAPES; k++) {
@@ -105,7 +105,7 @@ static int space_pictures(const aspect_study *s) {
         char name[40];
         if (!c->ran || !c->in_space || c->replicate > 0) continue;
         snprintf(name, sizeof name, "space-%s", c->chain.name);
-        bad |= picture_still(CLAST_COMMAND, c->flow_folder, IN_SPACE, s->frames, name, "speed");
+        bad |= picture_still(CLAST_COMMAND, c->flow_folder, IN_SPACE, s->to.frames, name, "speed");
     }
     return bad;
 }

@@ -109,7 +109,7 @@ static void plan_bed(aspect_study *s, aspect_case *c) {
     job_set(j, "latest=%.3f s", consolidation(s, c));
     job_set(j, "seed=%d", 1 + c->replicate);
     set_setting(j, c, VARIANTS[c->variant].bed);
-    jobs_name(j, s->root);
+    jobs_name(j, s->to.runs);
     c->bed_folder = c->rest_folder = j->folder;
 }
 
@@ -129,7 +129,7 @@ static void plan_rest(aspect_study *s, aspect_case *c) {
         if (strncmp(set, "tolerance=", 10) && strncmp(set, "jitter=", 7)) own[n++] = set;
     }
     set_setting(j, c, own);
-    jobs_name(j, s->root);
+    jobs_name(j, s->to.runs);
     c->rest_folder = j->folder;
 }
 
@@ -210,7 +210,7 @@ static void plan_flow(aspect_study *s, int which) {
     if (!own_chamber) job_set(j, "chamber=%g m", c->chamber);
     if (c->in_space) job_set(j, "latest=1.6 s"); /* the linear part is over */
     set_setting(j, c, VARIANTS[c->variant].flow);
-    jobs_name(j, s->root);
+    jobs_name(j, s->to.runs);
     c->flow_folder = j->folder;
 }
 

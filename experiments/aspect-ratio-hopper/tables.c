@@ -10,7 +10,7 @@
 /* ---- facts ----------------------------------------------------------------------------------- */
 
 static int write_facts(const aspect_study *s) {
-    FILE *f = output_table(s->data, "facts.csv",
+    FILE *f = output_table(s->to.data, "facts.csv",
                            "fact,unit,shape,aspect,density,n,mean,half,thesis_setting");
     if (!f) return 4;
     for (int i = 0; i < FACT_COUNT; i++)
@@ -25,7 +25,8 @@ static int write_facts(const aspect_study *s) {
 }
 
 static int write_runs(const aspect_study *s) {
-    FILE *f = output_table(s->data, "runs.csv", "shape,setting,space,variant,replicate,fact,value");
+    FILE *f =
+        output_table(s->to.data, "runs.csv", "shape,setting,space,variant,replicate,fact,value");
     if (!f) return 4;
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < FACT_COUNT && s->cases[i].ran; k++) {
@@ -46,7 +47,7 @@ static const char *unit_of(fact *of) {
 /* The same facts at the setting of the source and at the cheaper one, which has replicates: is the
  * source's run one that another replicate could be? */
 static int write_settings(const aspect_study *s) {
-    FILE *f = output_table(s->data, "settings.csv", "group,fact,unit,aspect,thesis,cheap,apart");
+    FILE *f = output_table(s->to.data, "settings.csv", "group,fact,unit,aspect,thesis,cheap,apart");
     if (!f) return 4;
     for (int i = 0; i < SETTING_FACT_COUNT && s->size->replicates[CHEAP] > 1; i++)
         for (int shape = 0; shape < MAIN_SHAPES; shape++) {
@@ -62,7 +63,7 @@ static int write_settings(const aspect_study *s) {
 }
 
 static int write_trends(const aspect_study *s) {
-    FILE *f = output_table(s->data, "trends.csv", "group,fact,unit,slope,p,p_steps");
+    FILE *f = output_table(s->to.data, "trends.csv", "group,fact,unit,slope,p,p_steps");
     if (!f) return 4;
     for (int i = 0; i < FACT_COUNT; i++) {
         trend t = trend_of(s, FACTS[i].of);
@@ -84,7 +85,7 @@ static int write_contrasts(const aspect_study *s) {
                  {"rate", true},
                  {"fluctuation of the rate", true},
                  {"energy ratio", false}};
-    FILE *f = output_table(s->data, "contrasts.csv", "fact,contrast,varied,runs,change,p");
+    FILE *f = output_table(s->to.data, "contrasts.csv", "fact,contrast,varied,runs,change,p");
     if (!f) return 4;
     for (size_t i = 0; i < sizeof SHOWN / sizeof *SHOWN; i++)
         for (int k = 0; k < CONTRAST_COUNT; k++) {
@@ -102,7 +103,7 @@ static int write_contrasts(const aspect_study *s) {
 
 /* s of processor time; NAN where a run was done in pieces. */
 static int write_costs(const aspect_study *s) {
-    FILE *f = output_table(s->data, "costs.csv",
+    FILE *f = output_table(s->to.data, "costs.csv",
                            "shape,setting,space,variant,replicate,bed_s,rest_s,flow_s");
     if (!f) return 4;
     for (int i = 0; i < s->count; i++) {
@@ -118,7 +119,7 @@ static int write_costs(const aspect_study *s) {
 }
 
 static int write_moments(const aspect_study *s) {
-    FILE *f = output_table(s->data, "moments.csv",
+    FILE *f = output_table(s->to.data, "moments.csv",
                            "group,aspect,skewness,skewness_source,kurtosis,kurtosis_source");
     static const double SKEWNESS[] = {-3.20, -3.09, -2.28, -2.69}; /* A00 Table 5.2 */
     static const double KURTOSIS[] = {9.95, 12.34, 12.59, 13.16};
@@ -167,7 +168,7 @@ static void write_variant(FILE *f, const aspect_study *s, const char *assumption
 
 static int write_variants(const aspect_study *s) {
     FILE *f =
-        output_table(s->data, "variants.csv",
+        output_table(s->to.data, "variants.csv",
                      "group,assumption,variant,n,solid_fraction,coordination,rate,angle,ratio,"
                      "heap");
     if (!f) return 4;
@@ -181,7 +182,7 @@ static int write_variants(const aspect_study *s) {
 }
 
 static int write_in_space(const aspect_study *s) {
-    FILE *f = output_table(s->data, "space.csv",
+    FILE *f = output_table(s->to.data, "space.csv",
                            "group,aspect,replicate,particles,spheres,solid_fraction,coordination,"
                            "rate,delay,ratio");
     if (!f) return 4;
@@ -269,7 +270,7 @@ static const timed_table TIMED[] = {
 static int write_timed(const aspect_study *s) {
     int bad = 0;
     for (size_t i = 0; i < sizeof TIMED / sizeof *TIMED; i++) {
-        FILE *f = output_table(s->data, TIMED[i].file, TIMED[i].header);
+        FILE *f = output_table(s->to.data, TIMED[i].file, TIMED[i].header);
         if (!f) return 4;
         for (int shape = 0; shape < MAIN_SHAPES; shape++) {
             const aspect_case *c = shown_case(s, shape);
@@ -294,7 +295,7 @@ static interval place_over(const aspect_study *s, int shape, int place, bool hea
 }
 
 static int write_pressure(const aspect_study *s) {
-    FILE *f = output_table(s->data, "pressure.csv",
+    FILE *f = output_table(s->to.data, "pressure.csv",
                            "shape,partition,depth_cm,load_N_m,half,janssen_N_m,K");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
@@ -311,7 +312,7 @@ static int write_pressure(const aspect_study *s) {
 }
 
 static int write_heaps(const aspect_study *s) {
-    FILE *f = output_table(s->data, "heaps.csv", "shape,x_cm,height_cm,half");
+    FILE *f = output_table(s->to.data, "heaps.csv", "shape,x_cm,height_cm,half");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++)
         for (int k = 0; k < HEAP_BINS && case_of(s, shape, CHEAP, 0, 0); k++) {
@@ -324,7 +325,7 @@ static int write_heaps(const aspect_study *s) {
 }
 
 static int write_angles(const aspect_study *s) {
-    FILE *f = output_table(s->data, "angles.csv", "shape,replicate,time_s,angle_deg");
+    FILE *f = output_table(s->to.data, "angles.csv", "shape,replicate,time_s,angle_deg");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++)
         for (int r = 0; r < REPLICATES_MAX; r++) {
@@ -336,7 +337,7 @@ static int write_angles(const aspect_study *s) {
 }
 
 static int write_subcontacts(const aspect_study *s) {
-    FILE *f = output_table(s->data, "subcontacts.csv", "shape,points,percent");
+    FILE *f = output_table(s->to.data, "subcontacts.csv", "shape,points,percent");
     if (!f) return 4;
     for (int shape = 0; shape < MAIN_SHAPES; shape++) {
         const aspect_case *c = shown_case(s, shape);
@@ -349,7 +350,7 @@ static int write_subcontacts(const aspect_study *s) {
 /* ---- all ------------------------------------------------------------------------------------- */
 
 static int write_about(const aspect_study *s) {
-    FILE *f = output_table(s->data, "about.txt", "study=aspect-ratio-hopper");
+    FILE *f = output_table(s->to.data, "about.txt", "study=aspect-ratio-hopper");
     if (!f) return 4;
     uint64_t hash = 0;
     double worst = 0;

@@ -202,7 +202,7 @@ static void print_readings(const aspect_study *s) {
     }
 }
 
-int aspect_verdicts(const aspect_study *s, const char *path) {
+int aspect_verdicts(const aspect_study *s) {
     char why[PUBLISHED_ERROR_MAX];
     court c = {published_read(SCENES "/published.csv", why), verdict_new("aspect-ratio-hopper"),
                s->size->count == 5000, s->size->replicates[CHEAP] > 1};
@@ -215,7 +215,7 @@ int aspect_verdicts(const aspect_study *s, const char *path) {
     judge_trends(&c, s);
     judge_settings(&c, s);
     print_readings(s);
-    int code = verdict_finish(c.table, path, stdout);
+    int code = verdict_finish(c.table, s->to.verdicts, stdout);
     verdict_free(c.table);
     published_free(c.published);
     return code;

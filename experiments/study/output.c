@@ -23,6 +23,24 @@ void output_folder(const char *path) {
     }
 }
 
+study_folders study_folders_below(const char *build, const char *name, study_size size) {
+    study_folders to;
+    const char *size_name = study_size_name(size);
+    snprintf(to.runs, sizeof to.runs, "%s/studies/%s/runs", build, name);
+    snprintf(to.data, sizeof to.data, "%s/studies/%s/%s/data", build, name, size_name);
+    snprintf(to.frames, sizeof to.frames, "%s/studies/%s/%s/frames", build, name, size_name);
+    snprintf(to.verdicts, sizeof to.verdicts, "%s/validate", build);
+    const char *const all[] = {to.runs, to.data, to.frames, to.verdicts};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) output_folder(all[i]);
+    snprintf(to.verdicts, sizeof to.verdicts, "%s/validate/%s.csv", build, name);
+    return to;
+}
+
+int study_end(const char *name, int failed_runs, int bad) {
+    if (failed_runs > 0) fprintf(stderr, "%s: %d runs failed\n", name, failed_runs);
+    return bad ? bad : failed_runs > 0;
+}
+
 FILE *output_table(const char *folder, const char *name, const char *header) {
     char path[PATH_ROOM];
     snprintf(path, sizeof path, "%s/%s", folder, name);
