@@ -34,7 +34,7 @@ static int follow(const grate_study *s, const char *of, const char *name) {
         double at = (t->entry + PART[k] * t->time) / g->speed_up;
         snprintf(file, sizeof file, "%s-%d", name, k + 1);
         bad |= picture_marked(CLAST_COMMAND, g->folder, at, s->frames, file, "speed",
-                              scale_of(s, g->of, top), t->id);
+                              scale_of(s, g->of, top), &t->id, 1);
     }
     return bad;
 }
@@ -68,8 +68,25 @@ static int film(const grate_study *s, const char *of, const char *name) {
                                 scale_of(s, g->of, top), id, count);
 }
 
+/* Those that stay for five mean residence times and to the end, two minutes before it: where it is
+ * the bars may pause, and all is of one colour. */
+static int held(const grate_study *s, const char *of, const char *name) {
+    const grate_result *g = result_of(s, of);
+    uint32_t id[PICTURE_MARKS];
+    char top[16];
+    int count = 0;
+    if (!g) return 0;
+    const passages *p = g->passages;
+    double before = p->end - 5 * g->rtd->of[RTD_MEAN].mean;
+    for (size_t i = 0; i < p->count && count < PICTURE_MARKS; i++)
+        if (p->items[i].in < before && p->items[i].out > p->end) id[count++] = p->items[i].id;
+    return picture_marked(CLAST_COMMAND, g->folder, (p->end - 120) / g->speed_up, s->frames, name,
+                          "speed", scale_of(s, g->of, top), id, count);
+}
+
 int grate_pictures(const grate_study *s) {
     int bad = follow(s, "forward clay", "forward") | follow(s, "backward clay", "backward") |
-              follow(s, "fast 13.6 kg/h", "fast") | film(s, "fast 13.6 kg/h", "fast");
+              follow(s, "fast 13.6 kg/h", "fast") | film(s, "fast 13.6 kg/h", "fast") |
+              held(s, "fast 13.6 kg/h", "held-wood") | held(s, "backward ceramic", "held-ceramic");
     return bad ? 4 : 0;
 }

@@ -278,17 +278,21 @@ static int write_about(const grate_study *s) {
     if (!f) return 4;
     uint64_t hash = 0;
     double seconds = 0;
-    int runs = 0;
+    int runs = 0, untimed = 0;
     for (int i = 0; i < s->count; i++) {
         hash = hash * UINT64_C(0x100000001b3) ^ s->jobs[i].hash;
         runs += s->jobs[i].done;
-        if (isfinite(s->results[i].processor_time)) seconds += s->results[i].processor_time;
+        if (isfinite(s->results[i].processor_time))
+            seconds += s->results[i].processor_time;
+        else
+            untimed++;
     }
     double fast = case_speed_up(&CASES[0], s->size);
     fprintf(f, "size=%s%s\nspeed_up=%g\nreplicates=%d runs\n", study_size_name(s->size),
             fast > 1 ? " (bars and feed 10 x, times x 10)" : "", fast, runs);
     fprintf(f, "hash=0x%016llx\nengine=%s\n", (unsigned long long)hash, CLAST_VERSION);
-    fprintf(f, "worst_residual=%.2g\nprocessor_min=%.3g\n", worst_residual(s), seconds / 60);
+    fprintf(f, "worst_residual=%.2g\nprocessor_min=%s%.3g\n", worst_residual(s),
+            untimed > 0 ? "more than " : "", seconds / 60);
     return output_close(f);
 }
 

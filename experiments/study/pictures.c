@@ -34,18 +34,33 @@ static size_t frame_at(const char *run, double time) {
     return nearest;
 }
 
-/* speed_max, marked: NULL for neither. */
+/* Bodies in black as arguments of the command; what is beyond PICTURE_MARKS is left out. */
+typedef struct marks {
+    char text[PICTURE_MARKS][16];
+} marks;
+
+static int add_marks(const char **arguments, int n, marks *m, const uint32_t *id, int count) {
+    for (int i = 0; i < count && i < PICTURE_MARKS; i++) {
+        snprintf(m->text[i], sizeof m->text[i], "%u", (unsigned)id[i]);
+        arguments[n++] = "--mark", arguments[n++] = m->text[i];
+    }
+    return n;
+}
+
+/* speed_max: NULL for none. */
 static int still(const char *clast, const char *run, double time, const char *folder,
-                 const char *name, const char *colour, const char *speed_max, const char *marked) {
+                 const char *name, const char *colour, const char *speed_max, const uint32_t *id,
+                 int count) {
     char out[PATH_ROOM], frames[48], from[PATH_ROOM + 32], to[PATH_ROOM + 32];
+    marks room;
     size_t nearest = frame_at(run, time);
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(frames, sizeof frames, "%zu:%zu", nearest, nearest);
-    const char *arguments[16] = {clast,      "render", run,        "--out", out,
-                                 "--frames", frames,   "--colour", colour};
+    const char *arguments[12 + 2 * PICTURE_MARKS] = {clast,      "render", run,        "--out", out,
+                                                     "--frames", frames,   "--colour", colour};
     int n = 9;
     if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
-    if (marked) arguments[n++] = "--mark", arguments[n++] = marked;
+    add_marks(arguments, n, &room, id, count);
     int bad = command(arguments);
     if (bad) return bad;
     snprintf(from, sizeof from, "%s/frame-000000.png", out);
@@ -55,14 +70,13 @@ static int still(const char *clast, const char *run, double time, const char *fo
 
 int picture_still(const char *clast, const char *run, double time, const char *folder,
                   const char *name, const char *colour) {
-    return still(clast, run, time, folder, name, colour, NULL, NULL);
+    return still(clast, run, time, folder, name, colour, NULL, NULL, 0);
 }
 
 int picture_marked(const char *clast, const char *run, double time, const char *folder,
-                   const char *name, const char *colour, const char *speed_max, uint32_t id) {
-    char marked[16];
-    snprintf(marked, sizeof marked, "%u", (unsigned)id);
-    return still(clast, run, time, folder, name, colour, speed_max, marked);
+                   const char *name, const char *colour, const char *speed_max, const uint32_t *id,
+                   int count) {
+    return still(clast, run, time, folder, name, colour, speed_max, id, count);
 }
 
 /* ffmpeg is optional: without it there are frames and no film. */
@@ -85,8 +99,8 @@ int picture_movie(const char *clast, const char *run, const char *folder, const 
 
 int picture_movie_marked(const char *clast, const char *run, const char *folder, const char *name,
                          const char *colour, const char *speed_max, const uint32_t *id, int count) {
-    if (count > PICTURE_MARKS) count = PICTURE_MARKS;
-    char out[PATH_ROOM], movie[PATH_ROOM + 8], marked[PICTURE_MARKS][16];
+    char out[PATH_ROOM], movie[PATH_ROOM + 8];
+    marks room;
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(movie, sizeof movie, "%s.mp4", out);
     const char *arguments[12 + 2 * PICTURE_MARKS] = {clast, "render",   run,   "--out",
@@ -94,9 +108,6 @@ int picture_movie_marked(const char *clast, const char *run, const char *folder,
     int n = 7;
     if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
     if (has_ffmpeg()) arguments[n++] = "--animation", arguments[n++] = movie;
-    for (int i = 0; i < count; i++) {
-        snprintf(marked[i], sizeof marked[i], "%u", (unsigned)id[i]);
-        arguments[n++] = "--mark", arguments[n++] = marked[i];
-    }
+    add_marks(arguments, n, &room, id, count);
     return command(arguments);
 }

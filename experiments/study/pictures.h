@@ -13,17 +13,18 @@
 int picture_still(const char *clast, const char *run, double time, const char *folder,
                   const char *name, const char *colour);
 
-/* The same with one body in black; speed_max as below. */
+enum { PICTURE_MARKS = 128 };
+
+/* The same with bodies in black, of a list the first PICTURE_MARKS; speed_max as below. */
 int picture_marked(const char *clast, const char *run, double time, const char *folder,
-                   const char *name, const char *colour, const char *speed_max, uint32_t id);
+                   const char *name, const char *colour, const char *speed_max, const uint32_t *id,
+                   int count);
 
 /* All frames as <folder>/<name>/frame-*.png, and <folder>/<name>.mp4 where there is ffmpeg.
  * speed_max: m/s as text, the end of the scale of the colour `speed` in all frames; NULL: that of
  * the run. */
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
                   const char *colour, const char *speed_max);
-
-enum { PICTURE_MARKS = 64 };
 
 /* The same with bodies in black, of a list the first PICTURE_MARKS. */
 int picture_movie_marked(const char *clast, const char *run, const char *folder, const char *name,

@@ -5,6 +5,7 @@
 width = 12; height = 8
 load style
 wide(column) = system(sprintf("awk -F, 'NR > 1 && $1 == 10 { print $%d }' '%s/packing.csv'", column, data)) + 0
+set lmargin at screen across(1.9)
 set xrange [0.5:10.6]; set yrange [0.38:0.64]
 set xlabel 'width of the channel (diameters)'; set ylabel 'bulk density over solid density'
 set key bottom right
