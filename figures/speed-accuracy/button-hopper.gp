@@ -1,7 +1,7 @@
 # title: Button hopper: error against cost
 # counterpart: none, our own measurement
 # needs: points.csv button_runs.csv
-# caption: Flow rate (above) and bulk density of the flowing bed (below) at an orifice of 10 cm, one thing changed at a time from the thesis's setting (step 4.5 µs, E = 3.5 GPa, 7 spheres, double); softer contacts with a step that is longer as E^{−2/5}. Error: size of the mean of paired differences (same bed), bars: its 95 % interval. Triangles: the interval holds zero; the difference cannot be told from none, and is at most where the triangle is. Black: front of what errors are at most, without settings that the guards would stop (E / 1000 and less). Grey line: the thesis's setting. Evaluations: of element spheres of one button.
+# caption: Flow rate (above) and bulk density of the flowing bed (below) at an orifice of 10 cm, one thing changed at a time from the thesis's setting (step 4.5 µs, E = 3.5 GPa, 7 spheres, double); softer contacts with a step that is longer as E^{−2/5}. Error: size of the mean of paired differences (same bed), bars: its 95 % interval. Triangles: the interval holds zero; the difference cannot be told from none, and is at most where the triangle is. Black: front of what errors are at most, without settings that the guards would stop (E / 1000 and less). Grey line: the thesis's setting. Numbers at the marks: factor of step or stiffness, number of spheres. Evaluations: of element spheres of one button.
 width = 17; height = 15
 load style
 load tools.'/speed-accuracy/statistical.gpi'
@@ -12,6 +12,8 @@ array family_tint[4] = [ours, thesis, frictional, '#CC79A7']
 array family_mark[4] = [7, 5, 9, 13]
 array paint[4] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7]
 paint_of(key) = (found = 1, scanned = sum [i=1:4] (family_key[i] eq key ? (found = i, 1) : 0), paint[found])
+# what is changed is told by the colour: "step x 2" as ×2, "E / 100" as /100, "3 spheres" as 3
+short(s) = s[1:6] eq 'step x' ? '×'.s[8:*] : s[1:6] eq 'step /' ? '/'.s[8:*] : s[1:1] eq 'E' ? '/'.s[5:*] : s[1:5] eq 'mixed' ? '' : word(s, 1)
 array quantity[2] = ['rate', 'density']
 array ytitle[2] = ['error of the flow rate', 'error of the bulk density']
 reference(axis) = system(sprintf("awk -F, '$1 == \"button-hopper\" && $18 == 1 { print $%d; exit }' '%s/points.csv'", axis, data)) + 0
@@ -30,6 +32,6 @@ do for [i=1:4] {
     plot front(panel, axis) using 1:2 with steps lw 2 lc rgb ink notitle, \
          for [k=1:families] seen(panel, k) using axis:13:(floor_of($14)):15 with yerrorbars pt family_mark[k] ps 0.8 lw 1.1 lc rgb family_tint[k] title family_name[k], \
          for [k=1:families] unseen(panel, k) using axis:15 with points pt 11 ps 0.9 lc rgb family_tint[k] notitle, \
-         rows('points', panel) using axis:15:5:(paint_of(strcol(4))) with labels rotate by 55 left offset 0.1,0.5 font small tc rgb variable notitle
+         rows('points', panel) using axis:15:(short(strcol(5))):(paint_of(strcol(4))) with labels left offset 0.5,0.5 font small tc rgb variable notitle
 }
 unset multiplot

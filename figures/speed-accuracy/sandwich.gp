@@ -17,6 +17,7 @@ do for [i=1:4] {
     set xlabel (row == 1 ? (axis == 8 ? cost_title : evaluations_title) : '')
     if (i > 1) { unset label 999; unset key } else { set key at screen 0.53,1 - up(0.1) center top maxrows 4 width -1 font small }
     panel = of_panel('sandwich', 'e=1', quantity[row + 1])
+    set xrange [begin(panel, axis):*]
     plot for [k=1:16] family(panel, key_of[k]) using axis:13 with linespoints lw 0.6 pt mark[k] ps 0.45 lc rgb tint[k] title name_of[k], \
          front(panel, axis) using 1:2 with steps lw 2 lc rgb ink notitle, \
          first_on_front(panel, axis) using 1:2:(nice(strcol(3))) with labels right offset -0.6,-0.5 font small tc rgb ink notitle
