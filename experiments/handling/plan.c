@@ -14,7 +14,7 @@ enum { MIDDLE_SHAPE = 2 };
 const handling_size SIZES[4] = {
     [STUDY_QUICK] = {"quick", {2, 1, 1, 1, 1, 1, 0}, 1, 1, 0},
     [STUDY_BRIEF] = {"brief", {5, 2, 1, 1, 1, 2, 1}, SHAPES, ORIFICES, 0},
-    [STUDY_PUBLISHED] = {"published", {20, 20, 10, 20, 1, 10, 1}, SHAPES, ORIFICES, 5},
+    [STUDY_PUBLISHED] = {"published", {20, 20, 10, 20, 1, 5, 1}, SHAPES, ORIFICES, 2},
     [STUDY_FULL] = {"full", {40, 40, 20, 40, 1, 20, 1}, SHAPES, ORIFICES, 20},
 };
 
