@@ -47,12 +47,11 @@ static double time_of(const handling_study *s, const still *one) {
  */
 static int pictures_of_bin(const handling_study *s) {
     const handling_run *middle = flow_of(s, 0, SHAPES / 2, 0, 0);
-    int bad = take(s, middle, 0, "bin-rest", "initial-height") |
-              take(s, middle, 0.2, "bin-flow", "initial-height");
+    int bad = take(s, middle, 0, "bin-rest", "body") | take(s, middle, 0.2, "bin-flow", "body");
     for (int i = 0; i < SHAPES; i++) {
         char name[40];
         snprintf(name, sizeof name, "bin-arch-%d", i + 1);
-        bad |= take(s, flow_of(s, 0, i, 0, 0), 1e9, name, "initial-height");
+        bad |= take(s, flow_of(s, 0, i, 0, 0), 1e9, name, "body");
     }
     return bad;
 }
@@ -68,7 +67,7 @@ static int films_of_bin(const handling_study *s) {
     for (int i = 0; i < SHAPES; i++) {
         char name[40];
         snprintf(name, sizeof name, "bin-%d", i + 1);
-        bad |= film(s, flow_of(s, 0, i, ORIFICES - 1, 0), name, "initial-height");
+        bad |= film(s, flow_of(s, 0, i, ORIFICES - 1, 0), name, "body");
     }
     return bad;
 }
