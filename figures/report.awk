@@ -121,7 +121,7 @@ function figure(name,    script, base, title, class) {
         figures, title, escape(from_script(script, "caption")), escape(from_script(script, "counterpart")), made_with(), base, base
 }
 
-# FILE | half or third | title | counterpart | caption
+# FILE | half, third or wide | title | counterpart | caption
 function picture(rest, movie,    part, file, class) {
     split(rest, part, / \| /)
     file = study "/frames/" part[1]

@@ -15,13 +15,13 @@ set xtics (sprintf('%g', -0.5 * side) -0.5 * side, '0' 0, sprintf('%g', 0.5 * si
 set xlabel 'x (cm)'
 do for [k=1:4] {
     if (k > 1) { unset label 999 }
-    left = 1.9 + 3.4 * (k - 1)
-    set lmargin at screen across(left); set rmargin at screen across(left + 3.2)
+    left = 1.9 + 3.25 * (k - 1)
+    set lmargin at screen across(left); set rmargin at screen across(left + 3.05)
     set bmargin at screen up(1.8); set tmargin at screen 1 - up(0.7)
     set ylabel (k == 1 ? 'z (cm)' : '')
     if (k > 1) { set format y '' }
     set title 'aspect '.k offset 0,-0.5
-    if (k == 4) { set colorbox user origin screen across(15.45),up(1.8) size screen across(0.3),up(8.4) } else { unset colorbox }
+    if (k == 4) { set colorbox user origin screen across(14.9),up(1.8) size screen across(0.3),up(8.4) } else { unset colorbox }
     plot rows('cells', sprintf('$1 == "%d" && $2 == 0', k)) using 3:4:5 with image pixels
 }
 unset multiplot
