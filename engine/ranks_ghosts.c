@@ -3,19 +3,38 @@
 #include <string.h>
 
 #include "engine/cells.h"
+#include "engine/numbers.h"
 #include "engine/ranks.h"
 #include "engine/rows.h"
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
 
+/* The middle of places on a circle of that length, within half of it about the origin: what has
+ * crossed a periodic face still is beside those that have not. */
+static double middle_of(const double *x, size_t count, double length) {
+    double sines = 0, cosines = 0;
+    for (size_t i = 0; i < count; i++) {
+        double angle = 2 * NUMBER_PI * (x[i] / length);
+        sines += sin(angle), cosines += cos(angle);
+    }
+    return atan2(sines, cosines) / (2 * NUMBER_PI) * length;
+}
+
+/* Around the images that are nearest to the middle. */
+static void span_own(const double *x, size_t count, double length, double *low, double *high) {
+    double middle = length > 0 ? middle_of(x, count, length) : 0;
+    for (size_t i = 0; i < count; i++) {
+        double at = length > 0 ? x[i] - length * rint((x[i] - middle) / length) : x[i];
+        if (!(at >= *low)) *low = at == at ? at : -INFINITY;
+        if (!(at <= *high)) *high = at == at ? at : INFINITY;
+    }
+}
+
 static rank_box box_of_own(const clast_world *w) {
     const double *x[3] = {w->bodies.x, w->bodies.y, w->bodies.z};
     rank_box b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (int k = 0; k < 3; k++)
-        for (size_t i = 0; i < w->bodies.count; i++) {
-            if (!(x[k][i] >= b.low[k])) b.low[k] = x[k][i] == x[k][i] ? x[k][i] : -INFINITY;
-            if (!(x[k][i] <= b.high[k])) b.high[k] = x[k][i] == x[k][i] ? x[k][i] : INFINITY;
-        }
+        span_own(x[k], w->bodies.count, w->period.length[k], &b.low[k], &b.high[k]);
     return b;
 }
 
@@ -23,16 +42,18 @@ static double outside(double x, double low, double high) {
     return x < low ? low - x : x > high ? x - high : 0;
 }
 
+/* To what lies from low to high, or the image of it whose middle is nearest. */
+static double away_along(double x, double low, double high, double length) {
+    if (length > 0 && high - low < INFINITY)
+        x -= length * rint((x - 0.5 * (low + high)) / length);
+    return outside(x, low, high);
+}
+
 /* m2 from a place to the nearest image of a box; nothing where the place is no number. */
 double ranks_away(const clast_world *w, const rank_box *b, vec3 place) {
     double away = 0;
     for (int k = 0; k < 3; k++) {
-        double length = w->period.length[k], x = v3_at(place, k);
-        double d = outside(x, b->low[k], b->high[k]);
-        if (length > 0) {
-            d = fmin(d, outside(x - length, b->low[k], b->high[k]));
-            d = fmin(d, outside(x + length, b->low[k], b->high[k]));
-        }
+        double d = away_along(v3_at(place, k), b->low[k], b->high[k], w->period.length[k]);
         away += d * d;
     }
     return away == away ? away : 0;

@@ -94,14 +94,15 @@ static void report_work(work counted, const reading *from, const reading *to, ui
            own_sum, own_most, own_sum / processes / own_most, in);
 }
 
-static void report_traffic(clast_world *w, const reading *from, const reading *to, uint64_t steps) {
+static void report_traffic(clast_world *w, double counted, const reading *from, const reading *to,
+                           uint64_t steps) {
     const clast_counters *a = &from->counters, *b = &to->counters;
     double n = (double)steps;
     double bytes = sum_of_all((double)(b->message_bytes - a->message_bytes)) / n;
     double messages = sum_of_all((double)(b->messages - a->messages)) / n;
     double ghosts = sum_of_all((double)(b->ghosts_sent - a->ghosts_sent)) / n;
     double moved = sum_of_all((double)(b->migrated - a->migrated)) / n;
-    double expected = traffic_ghosts(w);
+    double expected = traffic_ghosts(w, counted);
     double row = ghosts > 0 ? bytes / ghosts : 0;
     if (clast_ranks_number() > 0) return;
     printf("  %.1f messages, %.0f ghosts, %.1f kB, %.0f bytes each; %.2f bodies moved house\n",
@@ -138,7 +139,7 @@ int main(int argc, char **argv) {
     reading to = read_now(w);
     report_cost(argv[1], w, &from, &to, steps);
     report_work(counted, &from, &to, steps);
-    if (clast_ranks_count() > 1) report_traffic(w, &from, &to, steps);
+    if (clast_ranks_count() > 1) report_traffic(w, counted.sum, &from, &to, steps);
     clast_world_free(w);
     clast_ranks_end();
     return 0;
