@@ -103,7 +103,7 @@ static void add_floor(clast_world *w, int steel) {
 }
 
 static void add_spheres(clast_world *w, const bed *b, int steel) {
-    char name[16];
+    char name[24];
     int shape[SIZES];
     for (int i = 0; i < SIZES; i++) {
         snprintf(name, sizeof name, "size %d", i);
