@@ -24,7 +24,7 @@ do for [i=1:3] {
     }
 }
 plot row(1) using 2:4 with linespoints pt 7 ps 0.8 lw 1.2 lc rgb ours title 'one thread', \
-     row(2) using 2:4 with linespoints pt 6 ps 0.8 lw 1.2 dt (6,3) lc rgb ours title 'two threads', \
+     row(2) using 2:4 with linespoints pt 6 ps 0.8 lw 1.2 dt (6,3) lc rgb ours title 'up to two threads', \
      row(1) using 2:5 with linespoints pt 9 ps 0.7 lw 1 lc rgb '#E69F00' title 'of it lists, one thread'
 set label 999 ''
 do for [i=1:3] { unset arrow i; unset label i }
