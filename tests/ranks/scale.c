@@ -102,7 +102,7 @@ static void report_traffic(clast_world *w, double counted, const reading *from, 
     double messages = sum_of_all((double)(b->messages - a->messages)) / n;
     double ghosts = sum_of_all((double)(b->ghosts_sent - a->ghosts_sent)) / n;
     double moved = sum_of_all((double)(b->migrated - a->migrated)) / n;
-    double expected = traffic_ghosts(w, counted);
+    double expected = traffic_ghosts(w, counted, (double)to->counters.steps);
     double row = ghosts > 0 ? bytes / ghosts : 0;
     if (clast_ranks_number() > 0) return;
     printf("  %.1f messages, %.0f ghosts, %.1f kB, %.0f bytes each; %.2f bodies moved house\n",

@@ -77,9 +77,10 @@ static double growth_of_box(const bed *b, const int cuts[3], const int at[3]) {
 
 /* A division is made when ghosts beyond those of a new one have added up to fifty times the work of
  * a step: growing evenly, after 10 sqrt(work / growth) steps, and half of what is there then is the
- * mean (engine/ranks_divide.c). */
-static double drifted(double work, double growth) {
-    return 5 * sqrt(work * growth);
+ * mean (engine/ranks_divide.c). Where so many steps have not been made, half of what they brought.
+ */
+static double drifted(double work, double growth, double steps) {
+    return fmin(5 * sqrt(work * growth), 0.5 * growth * steps);
 }
 
 static void cut(const bed *b, int processes, int cuts[3]) {
@@ -91,7 +92,7 @@ static void cut(const bed *b, int processes, int cuts[3]) {
     }
 }
 
-double traffic_ghosts(clast_world *w, double work) {
+double traffic_ghosts(clast_world *w, double work, double steps) {
     double radius = clast_world_shape(w, 0).radius[0], ghosts = 0, growth = 0;
     double reach = 2 * radius + clast_world_plan(w).skin;
     bed b = bed_of(w, radius);
@@ -104,5 +105,5 @@ double traffic_ghosts(clast_world *w, double work) {
                 ghosts += ghosts_of_box(&b, cuts, at, reach);
                 growth += growth_of_box(&b, cuts, at);
             }
-    return ghosts + drifted(work, growth);
+    return ghosts + drifted(work, growth, steps);
 }

@@ -5,7 +5,8 @@
 #include "engine/clast.h"
 
 /* Of all processes together, for spheres of one size in a bed that is a box, cut along its longest
- * side again and again; `work`: counted, of a step. All processes have to ask. */
-double traffic_ghosts(clast_world *w, double work);
+ * side again and again; `work`: counted, of a step; `steps` since the world was divided first. All
+ * processes have to ask. */
+double traffic_ghosts(clast_world *w, double work, double steps);
 
 #endif
