@@ -15,6 +15,7 @@
 #include "experiments/run/results.h"
 #include "experiments/study/command.h"
 #include "experiments/study/jobs.h"
+#include "experiments/study/output.h"
 #include "experiments/study/statistics.h"
 
 /* ---- constants of the source (A00 Appendix D) ------------------------------------------------ */
@@ -96,7 +97,7 @@ extern const int VARIANT_COUNT; /* the first is the baseline of all scenes */
 
 typedef struct handling_study {
     const handling_size *size;
-    char root[600], data[640], frames[640];
+    study_folders to;
     job *beds, *jobs;
     int bed_count, run_count;
     handling_run runs[RUNS_MAX]; /* one per job */
@@ -213,6 +214,6 @@ bin_summary bin_over(const handling_study *s, int of_variant, int shape, int ori
 
 int handling_write_tables(const handling_study *s);
 int handling_pictures(const handling_study *s);
-int handling_verdicts(const handling_study *s, const char *path);
+int handling_verdicts(const handling_study *s);
 
 #endif

@@ -31,7 +31,7 @@ static const still STILLS[] = {
 
 static int take(const handling_study *s, const handling_run *run, double time, const char *name,
                 const char *colour) {
-    return run ? picture_still(CLAST_COMMAND, run->folder, time, s->frames, name, colour) : 0;
+    return run ? picture_still(CLAST_COMMAND, run->folder, time, s->to.frames, name, colour) : 0;
 }
 
 static double time_of(const handling_study *s, const still *one) {
@@ -58,7 +58,7 @@ static int pictures_of_bin(const handling_study *s) {
 
 static int film(const handling_study *s, const handling_run *run, const char *name,
                 const char *colour) {
-    return run ? picture_movie(CLAST_COMMAND, run->folder, s->frames, name, colour, NULL) : 0;
+    return run ? picture_movie(CLAST_COMMAND, run->folder, s->to.frames, name, colour, NULL) : 0;
 }
 
 /* Each shape through the widest orifice. */

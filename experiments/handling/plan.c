@@ -91,7 +91,7 @@ static const char *plan_bed(handling_study *s, const handling_run *r) {
     job_set(j, "seed=%d", 1 + r->replicate);
     set_shape(j, r);
     set_all(j, VARIANTS[r->variant].bed);
-    jobs_name(j, s->root);
+    jobs_name(j, s->to.runs);
     return j->folder;
 }
 
@@ -109,7 +109,7 @@ static void plan_run(handling_study *s, handling_run *r) {
     if (r->kind == IRREGULAR && r->variant == 0) job_set(j, "sample=50 us");
     if (r->kind == SINGULATION && s->size == &SIZES[STUDY_QUICK]) job_set(j, "latest=8 s");
     set_all(j, v->run);
-    jobs_name(j, s->root);
+    jobs_name(j, s->to.runs);
     r->folder = j->folder;
     s->runs[s->run_count++] = *r;
 }

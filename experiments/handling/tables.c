@@ -5,7 +5,6 @@
 
 #include "engine/check.h"
 #include "experiments/handling/handling.h"
-#include "experiments/study/output.h"
 #include "experiments/study/verdict.h"
 
 static frame *frame_of(results *r, size_t i) {
@@ -34,8 +33,8 @@ static void write_places(FILE *f, const char *name, const handling_run *run) {
 
 /* One particle: all runs; many: the first. */
 static int write_tracks(const handling_study *s) {
-    FILE *f =
-        output_table(s->data, "tracks.csv", "scene,replicate,body,time_s,x_cm,y_cm,z_cm,vx_cm_s");
+    FILE *f = output_table(s->to.data, "tracks.csv",
+                           "scene,replicate,body,time_s,x_cm,y_cm,z_cm,vx_cm_s");
     if (!f) return 4;
     const handling_run *run;
     for (int kind = 0; kind < BIN; kind++)
@@ -46,7 +45,7 @@ static int write_tracks(const handling_study *s) {
 
 static int write_passing(const handling_study *s) {
     FILE *f =
-        output_table(s->data, "passing.csv", "replicate,order,time_s,speed_cm_s,ahead_cm,alone");
+        output_table(s->to.data, "passing.csv", "replicate,order,time_s,speed_cm_s,ahead_cm,alone");
     if (!f) return 4;
     const handling_run *run;
     for (int k = 0; k < REPLICATES_MAX; k++) {
@@ -80,7 +79,7 @@ static void write_belt(FILE *f, const results *r, const char *part, double at) {
 }
 
 static int write_forces(const handling_study *s) {
-    FILE *f = output_table(s->data, "forces.csv", "part,record,time_s,normal_N,tangential_N");
+    FILE *f = output_table(s->to.data, "forces.csv", "part,record,time_s,normal_N,tangential_N");
     if (!f) return 4;
     const handling_run *run = run_of(s, IRREGULAR, 0, 0);
     if (run) {
@@ -94,7 +93,7 @@ static int write_forces(const handling_study *s) {
 }
 
 static int write_drops(const handling_study *s) {
-    FILE *f = output_table(s->data, "drops.csv",
+    FILE *f = output_table(s->to.data, "drops.csv",
                            "replicate,collisions,peak_N,seen_N,tangential_N,duration_s,"
                            "first_is_largest,shear_with_normal");
     if (!f) return 4;
@@ -125,9 +124,9 @@ static void write_curve(FILE *f, const handling_run *run) {
 
 static int write_bin(const handling_study *s) {
     FILE *curves =
-        output_table(s->data, "discharge.csv", "aspect,orifice_cm,replicate,time_s,number");
+        output_table(s->to.data, "discharge.csv", "aspect,orifice_cm,replicate,time_s,number");
     if (!curves) return 4;
-    FILE *f = output_table(s->data, "bin.csv",
+    FILE *f = output_table(s->to.data, "bin.csv",
                            "aspect,orifice_cm,n,arched,arched_half,out,out_half,rate,rate_half,"
                            "coordination,coordination_half");
     if (!f) return 4 | output_close(curves);
@@ -165,7 +164,7 @@ static void write_template(FILE *f, const char *shape, const handling_run *run) 
 }
 
 static int write_templates(const handling_study *s) {
-    FILE *f = output_table(s->data, "templates.csv", "shape,x_cm,r_cm");
+    FILE *f = output_table(s->to.data, "templates.csv", "shape,x_cm,r_cm");
     if (!f) return 4;
     write_template(f, "tapered", run_of(s, TAPERED, 0, 0));
     write_template(f, "irregular", run_of(s, IRREGULAR, 0, 0));
@@ -217,7 +216,7 @@ static void write_variant(FILE *f, const handling_study *s, int v, scene_kind ki
 }
 
 static int write_variants(const handling_study *s) {
-    FILE *f = output_table(s->data, "variants.csv", "scene,assumption,variant,n,quantity,value");
+    FILE *f = output_table(s->to.data, "variants.csv", "scene,assumption,variant,n,quantity,value");
     if (!f) return 4;
     for (int kind = 0; kind < KINDS; kind++)
         for (int v = 0; v < VARIANT_COUNT; v++)
@@ -242,7 +241,7 @@ static double worst_residual(const handling_study *s) {
 }
 
 static int write_about(const handling_study *s) {
-    FILE *f = output_table(s->data, "about.txt", "study=handling");
+    FILE *f = output_table(s->to.data, "about.txt", "study=handling");
     if (!f) return 4;
     uint64_t hash = 0;
     for (int i = 0; i < s->run_count; i++) hash = hash * UINT64_C(0x100000001b3) ^ s->jobs[i].hash;

@@ -95,7 +95,7 @@ static void judge_disc(const court *c, const handling_study *s) {
     say(c, "disc: share of the spheres that stay on it", disc_over(s, 0).stay);
 }
 
-int handling_verdicts(const handling_study *s, const char *path) {
+int handling_verdicts(const handling_study *s) {
     char why[PUBLISHED_ERROR_MAX];
     court c = {published_read(SCENES "/published.csv", why), verdict_new("handling")};
     if (!c.published) {
@@ -106,7 +106,7 @@ int handling_verdicts(const handling_study *s, const char *path) {
     judge_singulation(&c, s);
     judge_bin(&c, s);
     judge_disc(&c, s);
-    int code = verdict_finish(c.table, path, stdout);
+    int code = verdict_finish(c.table, s->to.verdicts, stdout);
     verdict_free(c.table);
     published_free(c.published);
     return code;
