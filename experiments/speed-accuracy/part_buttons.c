@@ -41,7 +41,7 @@ typedef struct variant {
 
 static const variant VARIANTS[] = {
     {"reference", "the thesis's setting", 1, 1, 3.5e9, SPHERES, false, STUDY_QUICK},
-    {"step", "step / 4", 0.25, 0.25, 3.5e9, SPHERES, false, STUDY_FULL},
+    {"step", "step / 4", 0.25, 0.25, 3.5e9, SPHERES, false, STUDY_PUBLISHED},
     {"step", "step / 2", 0.5, 0.5, 3.5e9, SPHERES, false, STUDY_PUBLISHED},
     {"step", "step x 1.5", 1.5, 1.5, 3.5e9, SPHERES, false, STUDY_FULL},
     {"step", "step x 2", 2, 2, 3.5e9, SPHERES, false, STUDY_QUICK},
@@ -54,8 +54,8 @@ static const variant VARIANTS[] = {
     {"spheres", "1 sphere", 1, 1, 3.5e9, 1, false, STUDY_PUBLISHED},
     {"spheres", "3 spheres", 3, 1, 3.5e9, 3, false, STUDY_QUICK},
     {"spheres", "5 spheres", 5, 1, 3.5e9, 5, false, STUDY_PUBLISHED},
-    {"spheres", "11 spheres", 11, 1, 3.5e9, 11, false, STUDY_FULL},
-    {"spheres", "15 spheres", 15, 1, 3.5e9, 15, false, STUDY_FULL},
+    {"spheres", "11 spheres", 11, 1, 3.5e9, 11, false, STUDY_PUBLISHED},
+    {"spheres", "15 spheres", 15, 1, 3.5e9, 15, false, STUDY_PUBLISHED},
     {"precision", "mixed precision", 1, 1, 3.5e9, SPHERES, true, STUDY_QUICK},
 };
 enum { VARIANT_COUNT = sizeof VARIANTS / sizeof *VARIANTS };
