@@ -189,7 +189,7 @@ typedef struct clast_world_def {
     double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
     int threads;   /* at most so many in each process, 0: as many as there are cores. Those that pay
                       are used, counted anew whenever lists are made: never observable */
-    int spheres_per_thread; /* so many spheres keep a thread busy, typical 1000; 1: all threads,
+    int spheres_per_thread; /* so many spheres keep a thread busy, typical 500;  1: all threads,
                                whether they pay or not, for tests of threads */
     bool alone;    /* among several processes: this one keeps the world for itself */
     clast_isa isa; /* vector lanes; never observable */

@@ -27,7 +27,7 @@ clast_world_def clast_world_def_default(void) {
         .max_overlap = 0.05,
         .max_displacement = 0.1,
         .max_residual = 0.05,
-        .spheres_per_thread = 1000,
+        .spheres_per_thread = 500,
         .seed = 1,
         .magic = DEF_MAGIC,
     };

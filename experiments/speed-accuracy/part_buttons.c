@@ -13,6 +13,7 @@
 #include "experiments/button-hopper/hopper.h"
 #include "experiments/run/folder.h"
 #include "experiments/run/results.h"
+#include "experiments/scene/scene.h"
 #include "experiments/speed-accuracy/chart.h"
 #include "experiments/study/output.h"
 #include "experiments/tune/edit.h"
@@ -274,7 +275,22 @@ static void compare(chart_point *p, const button_study *s, int v, double of(cons
         snprintf(p->message, sizeof p->message, "%d of %d runs have no steady rate", d.lost, d.n);
 }
 
-/* What a reader should know of a setting: it did not run, or the guards would not let it. */
+/* s; of the scene as the job has set it. NAN when it cannot be read: then the job failed as well. */
+static double critical_step_of(const job *j) {
+    const char *set[JOB_SETTINGS];
+    char *faults = NULL;
+    for (int i = 0; i < j->set_count; i++) set[i] = j->set[i];
+    scene_options options = {.set = set, .set_count = j->set_count, .threads = 1};
+    scene *of = scene_load(j->scene, &options, &faults);
+    free(faults);
+    if (!of) return NAN;
+    double step = clast_world_plan(of->world).critical_step;
+    scene_free(of);
+    return step;
+}
+
+/* What a reader should know of a setting: it did not run, or the check of its scene or the guards
+ * would not let it. */
 static void remark(chart_point *p, const button_study *s, int v, const job *flows) {
     double residuals[REPLICATE_LIMIT], worst = 0;
     int replicates = s->size->replicates;
@@ -284,6 +300,10 @@ static void remark(chart_point *p, const button_study *s, int v, const job *flow
         snprintf(p->message, sizeof p->message,
                  "guards would stop it: overlap up to %.2g of a radius, energy off by up to %.2g",
                  p->overlap, worst);
+    double critical = critical_step_of(&flows[0]);
+    if (p->step > critical)
+        snprintf(p->message, sizeof p->message, "refused: its step is %.2g of the critical step",
+                 p->step / critical);
     for (int k = replicates - 1; k >= 0; k--)
         if (!flows[k].done && !read_reason(&flows[k], p->message, sizeof p->message))
             snprintf(p->message, sizeof p->message, "killed");
