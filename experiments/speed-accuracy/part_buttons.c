@@ -275,7 +275,7 @@ static void compare(chart_point *p, const button_study *s, int v, double of(cons
         snprintf(p->message, sizeof p->message, "%d of %d runs have no steady rate", d.lost, d.n);
 }
 
-/* s; of the scene as the job has set it. NAN when it cannot be read: then the job failed as well. */
+/* s; of the scene as the job has set it. NAN when it cannot be read: then the job failed, too. */
 static double critical_step_of(const job *j) {
     const char *set[JOB_SETTINGS];
     char *faults = NULL;
