@@ -98,7 +98,7 @@ static char *gather(const void *bytes, size_t size, size_t *sizes) {
         return all;
     }
     for (int q = 0; q < transport.count; to += sizes[q++]) {
-        if (q == transport.number) memcpy(to, bytes, size);
+        if (q == transport.number && size > 0) memcpy(to, bytes, size);
         tell(to, sizes[q], q);
     }
     return all;

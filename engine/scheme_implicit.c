@@ -274,7 +274,7 @@ static bool ends_here(clast_world *w, double tolerance) {
     for (size_t row = 0; row < n->rows; row++) {
         vec3 miss = v3_of(before + 3 * row), change = v3_sub(v3_of(n->residual + 3 * row), miss);
         double fulfilled = 4 * FAR * tolerance * stiffness_of(n, row);
-        bool missing = v3_norm(miss) > fulfilled, jumps = v3_norm(change) > 0.5 * v3_norm(miss);
+        bool missing = !(v3_norm(miss) <= fulfilled), jumps = v3_norm(change) > 0.5 * v3_norm(miss);
         release(n, row);
         if (missing && jumps) pin(n, row);
         ends = ends && (!missing || jumps);
