@@ -118,7 +118,7 @@ static void plan_to_agree(run *r) {
     double now = clock_seconds(), spent = now - r->agreed_when;
     uint64_t step = clast_world_steps(r->world);
     double steps = (double)(step - r->agreed_at) * AGREE_EVERY / fmax(spent, 1e-9);
-    steps = fmax(1, fmin(steps, AGREE_MOST));
+    steps = r->agreed_when > 0 ? fmax(1, fmin(steps, AGREE_MOST)) : 1; /* nothing was timed yet */
     clast_ranks_tell(&steps, sizeof steps);
     r->agreed_when = now, r->agreed_at = step;
     r->agree_at = step + (uint64_t)steps;
