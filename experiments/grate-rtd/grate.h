@@ -23,12 +23,14 @@ enum { CASE_SETTINGS = 8, CASES_MAX = 120, SIZES = 4 };
 /* ---- cases ----------------------------------------------------------------------------------- */
 
 typedef enum grate_group {
-    GROUP_MAIN,    /* S12 4.6.1 to 4.6.3 */
-    GROUP_FEED,    /* 4.6.4, the scan of the feed */
-    GROUP_WIDTH,   /* 4.7.1 */
-    GROUP_FAST,    /* 3.9.4, bars at 35 mm/s */
-    GROUP_PACKING, /* 4.3, poured beds between side walls */
-    GROUP_VARIANT  /* what an assumption does to a case of the first group */
+    GROUP_MAIN,     /* S12 4.6.1 to 4.6.3 */
+    GROUP_FEED,     /* 4.6.4, the scan of the feed; at 20 kg/h it is a case of the first group */
+    GROUP_FEED_10X, /* the same at ten times the speed, 20 kg/h too */
+    GROUP_SEED,     /* what another seed does to a case of the first group */
+    GROUP_WIDTH,    /* 4.7.1 */
+    GROUP_FAST,     /* 3.9.4, bars at 35 mm/s */
+    GROUP_PACKING,  /* 4.3, poured beds between side walls */
+    GROUP_VARIANT   /* what an assumption does to a case of the first group */
 } grate_group;
 
 typedef enum grate_device { FORWARD, BACKWARD, STAIRS } grate_device; /* Tables 4.1 and 4.7 */
@@ -45,7 +47,7 @@ typedef struct grate_case {
     double across;       /* width in largest diameters */
     int replicates;      /* by seed; 0 reads as 1 */
     double pitch;        /* m; 0: bars lie on each other */
-    const char *assumption; /* GROUP_VARIANT: what is varied, and of which case */
+    const char *assumption; /* GROUP_VARIANT, GROUP_SEED: what is varied, and of which case */
     const char *of;
 } grate_case;
 
@@ -126,9 +128,13 @@ interval relative_difference(interval a, interval b);
 /* a / b, likewise. */
 interval ratio_of(interval a, interval b);
 
+/* Whether a case is one of the feeds of clay on the backward grate: at the published speed (at
+ * `brief` at ten times the speed, like its other cases), or of the scan at ten times. */
+bool in_scan(const grate_case *c, bool hurried);
+
 /* Slope of ln(mean residence time) on ln(feed), weighted by the errors of the means; wider where
  * these do not explain the scatter about the line. */
-interval slope_with_feed(const grate_study *s);
+interval slope_with_feed(const grate_study *s, bool hurried);
 
 /* Mean from a sampled curve over that from another (S12 4.7.2): middles of the intervals. */
 double sampled_mean(const rtd *r, double sampling);

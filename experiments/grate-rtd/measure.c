@@ -97,15 +97,20 @@ interval relative_difference(interval a, interval b) {
 
 /* ---- the scan of the feed -------------------------------------------------------------------- */
 
+bool in_scan(const grate_case *c, bool hurried) {
+    if (hurried) return c->group == GROUP_FEED_10X;
+    return c->group == GROUP_FEED || !strcmp(c->name, "backward clay");
+}
+
 /* Weighted least squares of ln t_m on ln feed. Where the means scatter about the line by more than
  * their errors say, the error of the slope grows by the root of chi2 over the degrees of freedom:
  * the curve need not be a power of the feed. */
-interval slope_with_feed(const grate_study *s) {
+interval slope_with_feed(const grate_study *s, bool hurried) {
     double x[CASES_MAX], y[CASES_MAX], w[CASES_MAX], c0, c1, c00, c01, c11, chi2;
     size_t n = 0;
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
-        if (g->of->group != GROUP_FEED || !g->rtd) continue;
+        if (!in_scan(g->of, hurried) || !g->rtd) continue;
         interval mean = g->rtd->of[RTD_MEAN];
         double error = error_of(mean) / mean.mean;
         x[n] = log(g->of->feed), y[n] = log(mean.mean), w[n++] = 1 / (error * error);

@@ -10,8 +10,9 @@
 #include "experiments/study/verdict.h"
 
 static const char *const GROUP_NAME[] = {
-    [GROUP_MAIN] = "main", [GROUP_FEED] = "feed",       [GROUP_WIDTH] = "width",
-    [GROUP_FAST] = "fast", [GROUP_PACKING] = "packing", [GROUP_VARIANT] = "variant"};
+    [GROUP_MAIN] = "main",       [GROUP_FEED] = "feed",      [GROUP_FEED_10X] = "feed 10 x",
+    [GROUP_SEED] = "seed",       [GROUP_WIDTH] = "width",    [GROUP_FAST] = "fast",
+    [GROUP_PACKING] = "packing", [GROUP_VARIANT] = "variant"};
 
 static void put(FILE *f, interval x, double factor) {
     fprintf(f, ",%.6g,%.4g", factor * x.mean, factor * x.half);
@@ -122,6 +123,10 @@ static int write_curves(const grate_study *s) {
            write_curves_of(s, "wide.csv", is_wide, 6) | write_curves_of(s, "fast.csv", is_fast, 6);
 }
 
+static const char *scan_of(const grate_case *c) {
+    return in_scan(c, false) ? "clay" : in_scan(c, true) ? "clay10" : is_fast(c) ? "fast" : NULL;
+}
+
 /* Means against feed, where there is more than one feed. */
 static int write_feeds(const grate_study *s) {
     FILE *f = output_table(s->data, "feeds.csv", "group,feed_kg_h,mean_min,mean_half");
@@ -129,11 +134,10 @@ static int write_feeds(const grate_study *s) {
     bool scanned = false;
     for (int i = 0; i < s->count; i++)
         scanned = scanned || (s->results[i].rtd && s->results[i].of->group == GROUP_FEED);
-    for (int i = 0; i < s->count; i++) {
+    for (int i = 0; i < s->count && scanned; i++) {
         const grate_result *g = &s->results[i];
-        bool clay = g->of->group == GROUP_FEED;
-        if (!g->rtd || !scanned || !(clay || is_fast(g->of))) continue;
-        fprintf(f, "%s,%g", clay ? "clay" : "fast", g->of->feed);
+        if (!g->rtd || !scan_of(g->of)) continue;
+        fprintf(f, "%s,%g", scan_of(g->of), g->of->feed);
         put(f, g->rtd->of[RTD_MEAN], 1.0 / 60);
         fprintf(f, "\n");
     }
@@ -169,7 +173,7 @@ static int write_holdup(const grate_study *s) {
     if (!f) return 4;
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
-        if (!g->rtd || g->of->group == GROUP_VARIANT) continue;
+        if (!g->rtd || g->of->assumption) continue;
         for (int k = 1; k <= LOOKS; k++) {
             double time = g->passages->end * k / LOOKS;
             fprintf(f, "%s,%.6g,%.6g,%.6g\n", g->of->name, time / 60, holdup_at(g->passages, time),
@@ -249,7 +253,7 @@ static int write_variants(const grate_study *s) {
     if (!f) return 4;
     for (int i = 0; i < s->count; i++) {
         const grate_result *g = &s->results[i];
-        bool varied = g->of->group == GROUP_VARIANT;
+        bool varied = g->of->assumption != NULL;
         if (!g->rtd) continue;
         write_variant(f, g, varied ? g->of->assumption : "(as it stands)",
                       varied ? strrchr(g->of->name, ':') + 2 : "");

@@ -66,13 +66,18 @@ static void judge_main(const court *c) {
             interval_exact(sampled_mean(forward->rtd, 180) / sampled_mean(forward->rtd, 60)));
 }
 
+static void judge_slope(const court *c, bool hurried, const char *quantity) {
+    interval slope = slope_with_feed(c->study, hurried);
+    if (isfinite(slope.mean)) say(c, quantity, interval_exact(slope.mean + slope.half));
+}
+
 static void judge_feed(const court *c) {
-    interval slope = slope_with_feed(c->study);
-    if (isfinite(slope.mean))
-        say(c,
-            "clay, backward: change of ln(mean residence time) with ln(feed): upper end of the "
-            "95 % interval",
-            interval_exact(slope.mean + slope.half));
+    judge_slope(c, false,
+                "clay, backward: change of ln(mean residence time) with ln(feed): upper end of the "
+                "95 % interval");
+    judge_slope(c, true,
+                "clay, backward, 10 x: change of ln(mean residence time) with ln(feed): upper end "
+                "of the 95 % interval");
 }
 
 /* ---- width ----------------------------------------------------------------------------------- */
@@ -109,8 +114,8 @@ static void judge_fast(const court *c) {
 
 /* ---- bulk density ---------------------------------------------------------------------------- */
 
-/* How much nearer a is to the wide bed than b; with all of its error, though on one side of it that
- * matters to none. */
+/* How much nearer to the wide bed a is than b. Where both lie on one side of it its error cancels;
+ * it is counted twice all the same, as it is where they lie on both. */
 static interval nearer(interval a, interval b, interval wide) {
     interval r = difference_of(difference_of(b, a), scaled(wide, 2));
     r.mean = fabs(b.mean - wide.mean) - fabs(a.mean - wide.mean);
