@@ -59,7 +59,7 @@ static const struct {
 
 /* The first two cases again, shorter. */
 #define SEED_ROW(which, on, value)                                                                 \
-    {.name = which ": " value " (5 h at 1 x)", .group = GROUP_SEED, .assumption = "seed",           \
+    {.name = which ": " value " (5 h at 1 x)", .group = GROUP_SEED, .assumption = "seed",          \
      .of = which, .device = on, .scene = GRATE, .set = {"grain=clay", "seed=" value},              \
      .hours = PUBLISHED(5), .feed = 20, CLAY, .across = 1}
 
