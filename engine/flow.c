@@ -55,7 +55,7 @@ void passages_install(clast_world *w, passage_list *l, size_t count, clast_passa
 
 static size_t read_passages(passage_list *l, clast_passage *to, size_t room) {
     size_t left = l->count - l->read, n = left < room ? left : room;
-    if (room == 0) return left;
+    if (n == 0) return left;
     memcpy(to, l->items + l->read, n * sizeof *to);
     l->read += n;
     if (l->read == l->count) l->read = l->count = 0;

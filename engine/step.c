@@ -123,7 +123,7 @@ clast_status clast_world_prepare(clast_world *w) {
     lists_rebuild(w);
     s = guards_check_start(w, outside);
     if (s && w->ranks) w->failed = true; /* the bodies have gone to their processes */
-    if (s) return s;
+    if (s) return walls_drop_rows(w), s; /* walls may be added before another try */
     w->prepared = true;
     w->contact_dt = 0;
     contacts_evaluate(w); /* books nothing: no time has passed */

@@ -216,6 +216,12 @@ void walls_make_rows(clast_world *w) {
     for (int i = 0; i < w->wall_count; i++) fill_row(w, &w->wall_rows[i], &w->walls[i]);
 }
 
+void walls_drop_rows(clast_world *w) {
+    memory_return(w, ((size_t)w->wall_count + 1) * sizeof *w->wall_rows);
+    memory_release(w->wall_rows);
+    w->wall_rows = NULL;
+}
+
 /* Walls stand in the frame of their part. */
 static void place_wall(wall *l, const part *p) {
     l->point = part_out(p, l->def.point);

@@ -95,6 +95,7 @@ void mesh_extend(clast_world *w, int first_wall, const clast_mesh_def *def);
 wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
 void walls_link(clast_world *w);
 void walls_make_rows(clast_world *w);
+void walls_drop_rows(clast_world *w); /* before walls are added after a start that was refused */
 void walls_group(clast_world *w);
 void walls_move(clast_world *w);
 void walls_move_to(clast_world *w, double time);
