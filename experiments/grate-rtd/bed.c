@@ -13,6 +13,7 @@
 #include "experiments/grate-rtd/grate.h"
 
 static const double FLYING = 0.3; /* m/s: after a fall of 5 mm */
+static const double LYING = 0.01; /* m/s */
 static const double PI = 3.14159265358979323846;
 enum { CELLS_ACROSS_BODY = 10, BATCHES = 10 };
 
@@ -165,6 +166,7 @@ static bed_look look_at(columns *c, const stage *s, const frame *f) {
         cover(c, p, r);
         if (x < c->from || x >= c->from + length) continue;
         l.bodies++;
+        l.lying += f->speed[i] < LYING;
         solid += 4 * PI / 3 * r * r * r;
     }
     l.outline = mean_height(c);
@@ -209,8 +211,8 @@ static interval batches_of(const double *x, int n) {
 grate_bed bed_of(results *r, const grate_case *c, double from) {
     CLAST_ASSERT(r && c);
     size_t count = results_frames(r);
-    double *value[4];
-    for (int k = 0; k < 4; k++) {
+    double *value[5];
+    for (int k = 0; k < 5; k++) {
         value[k] = calloc(count + 1, sizeof *value[k]);
         CLAST_ASSERT(value[k]);
     }
@@ -222,6 +224,7 @@ grate_bed bed_of(results *r, const grate_case *c, double from) {
             bed_look l = bed_look_at(c, results_stage(r), f);
             value[0][bed.frames] = l.height, value[1][bed.frames] = l.outline;
             value[2][bed.frames] = l.bodies, value[3][bed.frames] = l.packing;
+            value[4][bed.frames] = l.lying;
             bed.frames++;
         }
         if (f) frame_free(f);
@@ -230,6 +233,7 @@ grate_bed bed_of(results *r, const grate_case *c, double from) {
     bed.outline = batches_of(value[1], bed.frames);
     bed.bodies = batches_of(value[2], bed.frames);
     bed.packing = batches_of(value[3], bed.frames);
-    for (int k = 0; k < 4; k++) free(value[k]);
+    bed.lying = batches_of(value[4], bed.frames);
+    for (int k = 0; k < 5; k++) free(value[k]);
     return bed;
 }

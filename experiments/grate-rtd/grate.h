@@ -30,6 +30,7 @@ typedef enum grate_group {
     GROUP_WIDTH,    /* 4.7.1 */
     GROUP_FAST,     /* 3.9.4, bars at 35 mm/s */
     GROUP_PACKING,  /* 4.3, poured beds between side walls */
+    GROUP_FILM,     /* none of its numbers is used */
     GROUP_VARIANT   /* what an assumption does to a case of the first group */
 } grate_group;
 
@@ -77,15 +78,16 @@ typedef struct grate_bed {
     interval outline; /* m, to the outline, dips between the topmost bodies included */
     interval bodies;
     interval packing; /* solid volume over that below the tops */
+    interval lying;   /* of the bodies, those slower than 10 mm/s: what bars at 3.5 mm/s carry */
     int frames;
 } grate_bed;
 
 /* Frames from `from` (s) on. */
 grate_bed bed_of(results *r, const grate_case *c, double from);
 
-/* One frame: m, m, number, share of the volume. */
+/* One frame: m, m, number, share of the volume, number. */
 typedef struct bed_look {
-    double height, outline, bodies, packing;
+    double height, outline, bodies, packing, lying;
 } bed_look;
 
 bed_look bed_look_at(const grate_case *c, const stage *s, const frame *f);

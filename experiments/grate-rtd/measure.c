@@ -19,11 +19,19 @@ static results *run_open(const grate_result *g) {
     exit(4);
 }
 
-static void measure_grate(grate_result *g) {
+/* Who came and who went. */
+static void measure_mass(grate_result *g) {
     char why[RTD_ERROR_MAX];
     g->passages = passages_read(g->folder, &(rtd_options){0}, why);
-    if (g->passages) passages_scale(g->passages, g->speed_up);
-    if (g->passages) g->rtd = rtd_new(g->passages, &(rtd_options){.sampling = SAMPLING}, why);
+    if (!g->passages) fprintf(stderr, "grate-rtd: %s: %s\n", g->of->name, why);
+}
+
+static void measure_grate(grate_result *g) {
+    char why[RTD_ERROR_MAX] = "";
+    measure_mass(g);
+    if (!g->passages) return;
+    passages_scale(g->passages, g->speed_up);
+    g->rtd = rtd_new(g->passages, &(rtd_options){.sampling = SAMPLING}, why);
     if (!g->rtd) {
         fprintf(stderr, "grate-rtd: %s: %s\n", g->of->name, why);
         return;
@@ -49,6 +57,8 @@ void grate_measure(grate_study *s) {
             g->processor_time = jobs_processor_time(&s->jobs[i]);
             if (g->of->group == GROUP_PACKING)
                 measure_packing(g);
+            else if (g->of->group == GROUP_FILM)
+                measure_mass(g);
             else
                 measure_grate(g);
         }

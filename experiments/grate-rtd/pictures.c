@@ -1,5 +1,6 @@
 /* pictures.c - frames like those of S12 Figs 3.18, 3.19 and 4.7: a tracer in black on its way. */
 #include <math.h>
+#include <string.h>
 
 #include "experiments/grate-rtd/grate.h"
 #include "experiments/study/pictures.h"
@@ -39,37 +40,36 @@ static int follow(const grate_study *s, const char *of, const char *name) {
     return bad;
 }
 
-/* One tracer after the other, so that one is always on its way: of those that come within a quarter
- * of the mean behind the last one's leaving, the most typical. Returns how many. */
-static int relay(const rtd *r, uint32_t *id, int most) {
-    double mean = r->of[RTD_MEAN].mean, at = 0;
-    int count = 0;
-    for (; count < most; count++) {
-        const tracer *next = NULL;
-        for (size_t i = 0; i < r->tracers; i++) {
-            const tracer *t = &r->items[i];
-            if (!t->left || t->entry < at || t->entry > fmax(at, r->from) + 0.25 * mean) continue;
-            if (!next || fabs(t->time - mean) < fabs(next->time - mean)) next = t;
-        }
-        if (!next) break;
-        id[count] = next->id;
-        at = next->entry + next->time;
-    }
-    return count;
+enum { ONE_IN = 20, FILM_FRAMES = 400 };
+
+static const grate_result *film_of(const grate_study *s, const char *name) {
+    for (int i = 0; i < s->count; i++)
+        if (!strcmp(s->results[i].of->name, name) && s->results[i].passages) return &s->results[i];
+    return NULL;
 }
 
+/* The last frames of a run, every twentieth of the bodies in them in black. */
 static int film(const grate_study *s, const char *of, const char *name) {
-    const grate_result *g = result_of(s, of);
+    const grate_result *g = film_of(s, of);
     uint32_t id[PICTURE_MARKS];
-    char top[16];
-    if (!g || s->size == STUDY_QUICK) return 0;
-    int count = relay(g->rtd, id, PICTURE_MARKS);
+    char top[16], why[RESULTS_ERROR_MAX];
+    results *r = g ? results_open(g->folder, why) : NULL;
+    int count = 0;
+    if (!r) return 0;
+    size_t frames = results_frames(r), first = frames > FILM_FRAMES ? frames - FILM_FRAMES : 0;
+    frame *f = results_frame(r, first);
+    double from = f ? f->time : 0;
+    frame_free(f);
+    results_free(r);
+    const passages *p = g->passages;
+    for (size_t i = 0; i < p->count && count < PICTURE_MARKS; i += ONE_IN)
+        if (p->items[i].out > from) id[count++] = p->items[i].id;
     return picture_movie_marked(CLAST_COMMAND, g->folder, s->frames, name, "speed",
-                                scale_of(s, g->of, top), id, count);
+                                scale_of(s, g->of, top), first, id, count);
 }
 
-/* Those that stay for five mean residence times and to the end, two minutes before it: where it is
- * the bars may pause, and all is of one colour. */
+/* Those that stay for five mean residence times and to the end, drawn two minutes before it: at the
+ * end of the run of ceramic the bars pause, and all is of one colour. */
 static int held(const grate_study *s, const char *of, const char *name) {
     const grate_result *g = result_of(s, of);
     uint32_t id[PICTURE_MARKS];
@@ -86,7 +86,8 @@ static int held(const grate_study *s, const char *of, const char *name) {
 
 int grate_pictures(const grate_study *s) {
     int bad = follow(s, "forward clay", "forward") | follow(s, "backward clay", "backward") |
-              follow(s, "fast 13.6 kg/h", "fast") | film(s, "fast 13.6 kg/h", "fast") |
-              held(s, "fast 13.6 kg/h", "held-wood") | held(s, "backward ceramic", "held-ceramic");
+              follow(s, "fast 13.6 kg/h", "fast") | film(s, "film of wood", "fast") |
+              film(s, "film of forward clay", "forward") | held(s, "fast 13.6 kg/h", "held-wood") |
+              held(s, "backward ceramic", "held-ceramic");
     return bad ? 4 : 0;
 }

@@ -10,9 +10,9 @@
 #include "experiments/study/verdict.h"
 
 static const char *const GROUP_NAME[] = {
-    [GROUP_MAIN] = "main",       [GROUP_FEED] = "feed",      [GROUP_FEED_10X] = "feed 10 x",
-    [GROUP_SEED] = "seed",       [GROUP_WIDTH] = "width",    [GROUP_FAST] = "fast",
-    [GROUP_PACKING] = "packing", [GROUP_VARIANT] = "variant"};
+    [GROUP_MAIN] = "main",       [GROUP_FEED] = "feed",   [GROUP_FEED_10X] = "feed 10 x",
+    [GROUP_SEED] = "seed",       [GROUP_WIDTH] = "width", [GROUP_FAST] = "fast",
+    [GROUP_PACKING] = "packing", [GROUP_FILM] = "film",   [GROUP_VARIANT] = "variant"};
 
 static void put(FILE *f, interval x, double factor) {
     fprintf(f, ",%.6g,%.4g", factor * x.mean, factor * x.half);
@@ -41,10 +41,12 @@ static void write_case(FILE *f, const grate_result *g) {
     put(f, g->bed.height, 1e3);
     put(f, g->bed.outline, 1e3);
     put(f, g->bed.packing, 1);
-    fprintf(f, ",%.4g,%.4g,%.5g,%.4g,%.3g\n", r->peaks.p,
+    fprintf(f, ",%.4g,%.4g,%.5g,%.4g,%.3g", r->peaks.p,
             r->peaks.count > 1 ? r->peaks.at[r->peaks.count - 1] / r->of[RTD_MEAN].mean
                                : (double)NAN,
             g->processor_time, g->steps, 1e6 * g->processor_time / g->steps);
+    put(f, g->bed.lying, 1);
+    fprintf(f, "\n");
 }
 
 static int write_cases(const grate_study *s) {
@@ -56,7 +58,7 @@ static int write_cases(const grate_study *s) {
         "size_half,rank,rank_half,drift,drift_half,holdup_kg,holdup_half,little,little_half,bodies,"
         "bodies_half,"
         "height_mm,height_half,outline_mm,outline_half,packing,packing_half,p_peaks,second_peak,"
-        "processor_s,steps,us_per_step");
+        "processor_s,steps,us_per_step,lying,lying_half");
     if (!f) return 4;
     for (int i = 0; i < s->count; i++)
         if (s->results[i].rtd) write_case(f, &s->results[i]);

@@ -94,18 +94,20 @@ static bool has_ffmpeg(void) {
 
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
                   const char *colour, const char *speed_max) {
-    return picture_movie_marked(clast, run, folder, name, colour, speed_max, NULL, 0);
+    return picture_movie_marked(clast, run, folder, name, colour, speed_max, 0, NULL, 0);
 }
 
 int picture_movie_marked(const char *clast, const char *run, const char *folder, const char *name,
-                         const char *colour, const char *speed_max, const uint32_t *id, int count) {
-    char out[PATH_ROOM], movie[PATH_ROOM + 8];
+                         const char *colour, const char *speed_max, size_t first,
+                         const uint32_t *id, int count) {
+    char out[PATH_ROOM], movie[PATH_ROOM + 8], frames[32];
     marks room;
     snprintf(out, sizeof out, "%s/%s", folder, name);
     snprintf(movie, sizeof movie, "%s.mp4", out);
-    const char *arguments[12 + 2 * PICTURE_MARKS] = {clast, "render",   run,   "--out",
-                                                     out,   "--colour", colour};
-    int n = 7;
+    snprintf(frames, sizeof frames, "%zu:", first);
+    const char *arguments[14 + 2 * PICTURE_MARKS] = {clast,      "render", run,        "--out", out,
+                                                     "--frames", frames,   "--colour", colour};
+    int n = 9;
     if (speed_max) arguments[n++] = "--speed-max", arguments[n++] = speed_max;
     if (has_ffmpeg()) arguments[n++] = "--animation", arguments[n++] = movie;
     add_marks(arguments, n, &room, id, count);

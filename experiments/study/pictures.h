@@ -7,6 +7,7 @@
 #ifndef CLAST_STUDY_PICTURES_H
 #define CLAST_STUDY_PICTURES_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 /* The frame of a run that is nearest to a time, as <folder>/<name>.png. */
@@ -26,8 +27,9 @@ int picture_marked(const char *clast, const char *run, double time, const char *
 int picture_movie(const char *clast, const char *run, const char *folder, const char *name,
                   const char *colour, const char *speed_max);
 
-/* The same with bodies in black, of a list the first PICTURE_MARKS. */
+/* The same from frame `first` on and with bodies in black, of a list the first PICTURE_MARKS. */
 int picture_movie_marked(const char *clast, const char *run, const char *folder, const char *name,
-                         const char *colour, const char *speed_max, const uint32_t *id, int count);
+                         const char *colour, const char *speed_max, size_t first,
+                         const uint32_t *id, int count);
 
 #endif
