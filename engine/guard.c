@@ -125,10 +125,11 @@ static clast_status wall_failure(clast_world *w) {
 clast_status guards_unconverged(clast_world *w, size_t slot, int iterations, double move) {
     char who[256], what[512];
     describe_body(w, slot, who, sizeof who);
-    snprintf(what, sizeof what,
-             "Newton's method has not converged in %d iterations: the last moved by %.3g m "
-             "(limit %.3g m) %s",
-             iterations, move, w->def.newton_tolerance * w->smallest_radius, who);
+    snprintf(
+        what, sizeof what,
+        "Newton's method has not converged in %d iterations: %.3g m still to go (limit %.3g m) for "
+        "%s",
+        iterations, move, w->def.newton_tolerance * w->smallest_radius, who);
     return trip(w, what);
 }
 

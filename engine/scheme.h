@@ -74,14 +74,16 @@ typedef struct newton_store {
     uint32_t *rank; /* row of the body of an id */
     size_t rank_room, rows;
     double *residual, *move, *last; /* kg m, m, m made last: three per row, by rank */
-    double *reach;   /* m that a body may move, iterations that it has gone on: two per row */
-    double *base;    /* m: the best places so far, where they are searched for; by rank */
+    double *reach;       /* m that a body may move, iterations that it has gone on: two per row */
+    double *base;        /* m: the best places so far, where they are searched for; by rank */
     double missed, part; /* kg2 m2, the square of the residual there; of the ways from there */
-    double *scratch; /* of the linear solver */
+    double *scratch;     /* of the linear solver */
     size_t row_room;
-    double *history; /* m, largest move made in each iteration of the last step */
+    double *history;            /* m, largest move made in each iteration of the last step */
     int iterations, held_until; /* until then bodies are held one by one */
     size_t pinned;              /* rows of bodies at a jump of their force */
+    size_t farthest;            /* row of the body that went farthest in the last iteration, */
+    double way;                 /* m, so far; or that wants to, where the iterations ended */
     bool converged;
 } newton_store;
 

@@ -101,19 +101,30 @@ static vec3 held_move(newton_store *n, size_t row) {
     return way > *most ? v3_scale(*most / way, move) : move;
 }
 
-/* Returns how far the body moves that moves farthest (m); not a number where one is not. */
-static double move_bodies(clast_world *w) {
+/* Of all ways since the last begin_ways() the longest, of equals that of the lowest row; one that
+ * is no number is longer than all. */
+static void begin_ways(newton_store *n) {
+    n->farthest = SIZE_MAX, n->way = 0;
+}
+
+static void note_way(newton_store *n, size_t row, double way) {
+    bool first = row < n->farthest;
+    bool farther =
+        way == way ? way > n->way || (way == n->way && first) : n->way == n->way || first;
+    if (farther) n->farthest = row, n->way = way;
+}
+
+/* Notes how far bodies go. */
+static void move_bodies(clast_world *w) {
     newton_store *n = &w->integrator->newton;
-    double most = 0;
     for (size_t i = 0; i < w->bodies.count; i++) {
         size_t row = n->rank[w->bodies.id[i]];
         vec3 move = held_move(n, row);
         n->last[3 * row] = move.x, n->last[3 * row + 1] = move.y, n->last[3 * row + 2] = move.z;
         double way = v3_norm(move);
         if (way < INFINITY) body_place(w, i, v3_add(body_position(w, i), move));
-        if (!(way <= most) && most == most) most = way;
+        note_way(n, row, way);
     }
-    return most;
 }
 
 /* ---- Newton's method ------------------------------------------------------------------------- */
@@ -161,18 +172,16 @@ static void keep_base(clast_world *w) {
     }
 }
 
-/* Returns how far the body goes that goes farthest (m). */
-static double go_part(clast_world *w) {
+/* Notes how far bodies go. */
+static void go_part(clast_world *w) {
     newton_store *n = &w->integrator->newton;
-    double most = 0;
     for (size_t i = 0; i < w->bodies.count; i++) {
-        size_t row = 3 * (size_t)n->rank[w->bodies.id[i]];
-        vec3 way = v3_scale(n->part, v3_of(n->move + row));
-        n->last[row] = way.x, n->last[row + 1] = way.y, n->last[row + 2] = way.z;
-        body_place(w, i, v3_add(v3_of(n->base + row), way));
-        if (!(v3_norm(way) <= most) && most == most) most = v3_norm(way);
+        size_t row = n->rank[w->bodies.id[i]];
+        vec3 way = v3_scale(n->part, v3_of(n->move + 3 * row));
+        n->last[3 * row] = way.x, n->last[3 * row + 1] = way.y, n->last[3 * row + 2] = way.z;
+        body_place(w, i, v3_add(v3_of(n->base + 3 * row), way));
+        note_way(n, row, v3_norm(way));
     }
-    return most;
 }
 
 /* kg2 m2, of the bodies that are not pinned. */
@@ -188,7 +197,7 @@ static double missed_here(const newton_store *n) {
 /* Newton's method with a search along its direction: a place that misses less than the best so far
  * becomes the base of the next direction, else half of the way is tried. At a jump of the force no
  * place misses nothing, and the way shrinks until it is as good as none. */
-static double search(clast_world *w) {
+static void search(clast_world *w) {
     newton_store *n = &w->integrator->newton;
     bool first = n->iterations == n->held_until;
     double missed = missed_here(n);
@@ -200,7 +209,7 @@ static double search(clast_world *w) {
     } else {
         n->part *= 0.5;
     }
-    return go_part(w);
+    go_part(w);
 }
 
 static void look(clast_world *w) {
@@ -209,12 +218,18 @@ static void look(clast_world *w) {
     find_residual(w);
 }
 
+/* Returns how far the body goes that goes farthest (m); not a number where one is not. */
 static double iterate(clast_world *w) {
     newton_store *n = &w->integrator->newton;
     look(w);
-    if (n->iterations >= n->held_until) return search(w);
-    solve(w);
-    return move_bodies(w);
+    begin_ways(n);
+    if (n->iterations >= n->held_until) {
+        search(w);
+    } else {
+        solve(w);
+        move_bodies(w);
+    }
+    return n->way;
 }
 
 /* ---- where a step ends ------------------------------------------------------------------------
@@ -249,18 +264,21 @@ static void go_a_little(clast_world *w, double far) {
     }
 }
 
-/* kg: what a displacement of the body changes its row by is at most twice this times its way, where
- * nothing jumps. */
-static double stiffness_of(const newton_store *n, size_t row) {
-    const double *block = sparse_diagonal(&n->matrix, row);
-    return block[0] + block[4] + block[8];
+/* m: how far the body wants to go by itself, which in a soft direction is far for the same miss
+ * (kg m). */
+static double own_wish(const newton_store *n, size_t row, vec3 miss) {
+    double right[3] = {miss.x, miss.y, miss.z}, way[3];
+    sparse_answer_alone(&n->matrix, row, right, way);
+    return v3_norm(v3_of(way));
 }
 
 /* That bodies are held is no reason to end a step. It ends where the equations are fulfilled, or,
  * for a body whose force jumps (a contact of the linear law with a dashpot begins), at the jump:
- * what is missing is another thing a few tolerances on. Others are released. */
+ * what is missing is another thing a few tolerances on. Others are released. What is missing is
+ * measured by the way that makes up for it: where nothing jumps, ways of so few tolerances change
+ * that by less than half of what is not fulfilled. Notes the longest wish that stays open. */
 static bool ends_here(clast_world *w, double tolerance) {
-    enum { FAR = 4 };
+    enum { FAR = 4, FULFILLED = 4 * FAR };
     newton_store *n = &w->integrator->newton;
     bool ends = true;
     n->pinned = 0;
@@ -271,13 +289,15 @@ static bool ends_here(clast_world *w, double tolerance) {
     memcpy(before, n->residual, 3 * n->rows * sizeof *before);
     go_a_little(w, FAR * tolerance);
     look(w);
+    begin_ways(n);
     for (size_t row = 0; row < n->rows; row++) {
         vec3 miss = v3_of(before + 3 * row), change = v3_sub(v3_of(n->residual + 3 * row), miss);
-        double fulfilled = 4 * FAR * tolerance * stiffness_of(n, row);
-        bool missing = !(v3_norm(miss) <= fulfilled), jumps = v3_norm(change) > 0.5 * v3_norm(miss);
+        double wish = own_wish(n, row, miss);
+        bool missing = !(wish <= FULFILLED * tolerance);
+        bool jumps = own_wish(n, row, change) > 0.5 * wish;
         release(n, row);
         if (missing && jumps) pin(n, row);
-        ends = ends && (!missing || jumps);
+        if (missing && !jumps) note_way(n, row, wish), ends = false;
     }
     go_a_little(w, 0);
     if (ends) evaluate(w);
@@ -301,18 +321,14 @@ static void find_root(clast_world *w) {
     }
 }
 
-/* The body that moved farthest in the last iteration, of equals the one of lowest id. */
+/* Of the body that went farthest, or wants to. */
 static clast_status complain(clast_world *w) {
     const newton_store *n = &w->integrator->newton;
-    double most = -1;
     size_t who = 0;
-    for (uint32_t id = 0; id < w->next_id; id++) {
-        if (w->slot_of_id[id] < 0) continue;
-        double way = v3_norm(v3_of(n->last + 3 * (size_t)n->rank[id]));
-        if (!(way <= most)) most = way, who = (size_t)w->slot_of_id[id];
-    }
+    for (size_t i = 0; i < w->bodies.count; i++)
+        if (n->rank[w->bodies.id[i]] == n->farthest) who = i;
     w->counters.unconverged++;
-    return guards_unconverged(w, who, n->iterations, most);
+    return guards_unconverged(w, who, n->iterations, n->way);
 }
 
 /* ---- the step -------------------------------------------------------------------------------- */

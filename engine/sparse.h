@@ -30,6 +30,9 @@ static inline double *sparse_diagonal(const sparse_matrix *m, size_t row) {
     return m->block + 9 * m->diagonal[row];
 }
 
+/* What x of a row alone answers `right`, where all others are zero: three numbers each. */
+void sparse_answer_alone(const sparse_matrix *m, size_t row, const double *right, double *x);
+
 void sparse_free(sparse_matrix *m);
 
 /* to = m x; three numbers per row. */

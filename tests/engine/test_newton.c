@@ -273,8 +273,9 @@ static void to_be_held_is_not_to_converge(void **state) {
             }
         }
         print_message("%s: %d of 1000 steps end at a jump, elsewhere nobody wants to go on by more "
-                      "than %.2g tolerances\n",
-                      clast_scheme_info_of(schemes[k])->name, jumps, most / tolerance);
+                      "than %.2g tolerances; %llu iterations\n",
+                      clast_scheme_info_of(schemes[k])->name, jumps, most / tolerance,
+                      (unsigned long long)clast_world_counters(w).newton_iterations);
         CHECK_BELOW(most, 20 * tolerance);
         assert_true(jumps < 20);
         clast_world_free(w);
@@ -303,6 +304,100 @@ static void no_convergence_is_reported(void **state) {
         assert_true(report ? c.guard_trips == c.unconverged : c.unconverged == 1);
         clast_world_free(w);
     }
+}
+
+/* ---- stiff in one direction, soft in another ------------------------------------------------- */
+
+/* A ball between two stiff plates in z, all without dashpots, is pressed by a soft spring in x: by
+ * another ball, which comes to a wall with a dashpot and ends the step where that begins. */
+typedef struct nest {
+    clast_world *world;
+    double step, stiff, soft; /* s, N/m of both plates, N/m */
+    clast_vec3 free;          /* m, of the ball at the end of the step without contacts */
+} nest;
+
+enum { HELD_BALL, COMING_BALL };
+static const double NEST_RADIUS[2] = {0.005, 0.004}; /* m; the plates do not reach the second */
+
+static nest nest_of(double omega_step, double tolerance, int iterations) {
+    const double r = NEST_RADIUS[HELD_BALL], r2 = NEST_RADIUS[COMING_BALL], density = 1130;
+    const double mass = density * 4 / 3.0 * 3.14159265358979324 * r * r * r;
+    const double speed = 0.02;
+    nest n = {.step = 1e-4};
+    n.stiff = mass * omega_step * omega_step / (n.step * n.step);
+    n.soft = 1.3 * mass / (n.step * n.step);
+    clast_world_def def = bare_def(CLAST_LAW_LINEAR);
+    def.scheme = CLAST_SCHEME_BACKWARD_EULER, def.time_step = n.step;
+    def.newton_tolerance = tolerance, def.newton_iterations = iterations, def.max_residual = 1e9;
+    clast_world *w = n.world = new_world(&def);
+    int ball = clast_material_add(w, &(clast_material_def){"ball", density, 7.3e6, 0.37});
+    int coming = clast_material_add(w, &(clast_material_def){"coming", density, 7.3e6, 0.37});
+    int steel = clast_material_add(w, &(clast_material_def){"steel", 2610, 61e6, 0.23});
+    clast_pair_def plates = {.restitution = 1, .stiffness = 0.5 * n.stiff};
+    clast_pair_def spring = {.restitution = 1, .stiffness = n.soft};
+    clast_pair_def dashpot = {.restitution = 0.1, .stiffness = 4 * n.stiff};
+    int of[3] = {ball, coming, steel};
+    for (int i = 0; i < 3; i++) clast_pair_set(w, of[i], of[i], &spring);
+    assert_int_equal(clast_pair_set(w, ball, steel, &plates), CLAST_OK);
+    assert_int_equal(clast_pair_set(w, ball, coming, &spring), CLAST_OK);
+    assert_int_equal(clast_pair_set(w, coming, steel, &dashpot), CLAST_OK);
+    int walls = clast_part_add(w, &(clast_part_def){.name = "nest"});
+    double between = 0.9999 * (r + r2), gap = 0.5 * speed * n.step;
+    add_plane(w, walls, steel, vec(0, 0, -0.99 * r), vec(0, 0, 1));
+    add_plane(w, walls, steel, vec(0, 0, 0.99 * r), vec(0, 0, -1));
+    add_plane(w, walls, steel, vec(between + r2 + gap, 0, 0), vec(-1, 0, 0));
+    clast_vec3 at = vec(0, 0, 1e-5), v = vec(0.011, 0, -0.013);
+    n.free = plus(at, times(n.step, v));
+    add_body(w, clast_shape_add_sphere(w, "held", r, ball), at, v, vec(0, 0, 0));
+    add_body(w, clast_shape_add_sphere(w, "coming", r2, coming), vec(between, 0, 0),
+             vec(speed, 0, 0), vec(0, 0, 0));
+    assert_int_equal(clast_world_prepare(w), CLAST_OK);
+    return n;
+}
+
+/* Where the held ball's linear equations end, with the other where it is. */
+static void a_soft_direction_is_fulfilled_too(void **state) {
+    (void)state;
+    for (double omega_step = 5; omega_step <= 20; omega_step += 5) {
+        nest n = nest_of(omega_step, 1e-6, 200);
+        clast_world *w = n.world;
+        steps(w, 1);
+        assert_true(clast_world_newton(w).converged);
+        assert_true(w->integrator->newton.pinned == 1);
+        body_state held = body_of(w, HELD_BALL), coming = body_of(w, COMING_BALL);
+        double tolerance = w->def.newton_tolerance * w->smallest_radius, dt2 = n.step * n.step;
+        double deep = NEST_RADIUS[0] + NEST_RADIUS[1] - coming.position.x; /* at x = 0 */
+        double x = (held.mass * n.free.x - dt2 * n.soft * deep) / (held.mass + dt2 * n.soft);
+        double z = held.mass * n.free.z / (held.mass + dt2 * n.stiff);
+        print_message("omega dt %g: %d iterations, off by %.2g tolerances along the soft spring, "
+                      "%.2g across the plates\n",
+                      omega_step, clast_world_newton(w).iterations,
+                      (held.position.x - x) / tolerance, (held.position.z - z) / tolerance);
+        CHECK_NEAR(held.position.x, x, 20 * tolerance);
+        CHECK_NEAR(held.position.z, z, 20 * tolerance);
+        clast_world_free(w);
+    }
+}
+
+/* Whatever iteration is the last. */
+static void the_message_names_who_has_to_go(void **state) {
+    (void)state;
+    int failures = 0;
+    for (int iterations = 1; iterations <= 40; iterations++) {
+        nest n = nest_of(5, 1e-8, iterations);
+        if (clast_world_step(n.world) != CLAST_OK) {
+            const char *text = strstr(clast_world_error(n.world), "iterations: ");
+            double way = 0, limit = 0;
+            assert_non_null(text);
+            assert_int_equal(
+                sscanf(text, "iterations: %lf m still to go (limit %lf m)", &way, &limit), 2);
+            CHECK_BELOW(limit, way);
+            failures++;
+        }
+        clast_world_free(n.world);
+    }
+    print_message("%d of 40 limits fail\n", failures);
+    assert_true(failures > 3 && failures < 40);
 }
 
 /* ---- a pile against the leapfrog ------------------------------------------------------------- */
@@ -358,4 +453,6 @@ TEST_MAIN(cmocka_unit_test(both_solvers_solve), cmocka_unit_test(the_jacobian_is
           cmocka_unit_test(the_jacobian_is_symmetric), cmocka_unit_test(convergence_is_quadratic),
           cmocka_unit_test(solvers_agree_in_a_run), cmocka_unit_test(to_be_held_is_not_to_converge),
           cmocka_unit_test(no_convergence_is_reported),
+          cmocka_unit_test(a_soft_direction_is_fulfilled_too),
+          cmocka_unit_test(the_message_names_who_has_to_go),
           cmocka_unit_test(a_pile_is_that_of_the_leapfrog))
