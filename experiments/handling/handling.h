@@ -151,7 +151,8 @@ drop drop_of(const results *r);
 enum { SPHEROIDS = 20 };
 
 typedef struct singled {
-    int count;                                /* spheroids that passed SINGLED_AT */
+    int start;                                /* spheroids that are before SINGLED_AT at first */
+    int count;                                /* of them, those that passed it */
     double time[SPHEROIDS], speed[SPHEROIDS]; /* s, m/s, of each then, in the order of passing */
     bool alone[SPHEROIDS];                    /* touched no other one */
     double ahead[SPHEROIDS]; /* m from the one before, along the belt; NAN for the first */

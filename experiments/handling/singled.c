@@ -54,7 +54,9 @@ singled singled_of(results *r) {
         }
         if (i == 0) out.before = crowded(f);
         for (size_t k = 0; k < f->bodies; k++) {
-            if (passed[f->id[k]] || f->position[3 * k] < SINGLED_AT) continue;
+            bool beyond = f->position[3 * k] >= SINGLED_AT;
+            if (i == 0) out.start += !beyond;
+            if (passed[f->id[k]] || !beyond) continue;
             passed[f->id[k]] = true;
             if (i > 0) pass(&out, f, k);
         }

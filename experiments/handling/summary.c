@@ -26,10 +26,11 @@ conveyed_summary conveyed_over(const handling_study *s, scene_kind kind, int of_
         conveyed c = conveyed_of(r, kind);
         add(&carried, c.carried), add(&dropped, c.dropped), add(&returned, c.returned);
         drop d = drop_of(r);
+        results_free(r);
+        if (d.collisions == 0) continue; /* what never lands has no hardest one */
         add(&peak, d.peak), add(&duration, d.duration);
         add(&first, d.first_is_largest), add(&shear, d.shear_with_normal);
         add(&seen, d.seen / d.peak);
-        results_free(r);
     }
     return (conveyed_summary){.carried = over(&carried),
                               .dropped = over(&dropped),
@@ -58,7 +59,7 @@ singled_summary singled_over(const handling_study *s, int of_variant) {
         singled one = singled_of(r);
         double alone_of[SPHEROIDS];
         for (int i = 0; i < one.count; i++) alone_of[i] = one.alone[i];
-        add(&passed, (double)one.count / SPHEROIDS);
+        add(&passed, (double)one.count / one.start);
         add(&alone, mean(alone_of, one.count));
         add(&speed, mean(one.speed, one.count));
         add(&ahead, mean(one.ahead, one.count));

@@ -56,11 +56,11 @@ static interval arches_of(const handling_study *s, int shape, int shapes, int or
 }
 
 /* 1 where it is shown that a is above b (two-sided P < 0.05). Without a P, for neither scatters or
- * there are too few runs, it is not shown. */
-static double is_above(interval a, interval b) {
-    if (isnan(a.mean) || isnan(b.mean)) return NAN;
+ * there are too few runs, it is not shown. What a test says is no sample. */
+static interval is_above(interval a, interval b) {
+    if (isnan(a.mean) || isnan(b.mean)) return interval_of_none(NAN);
     double p = t_test_welch(a, b).p;
-    return a.mean > b.mean && p < 0.05;
+    return interval_of_none(a.mean > b.mean && p < 0.05);
 }
 
 static void judge_bin(const court *c, const handling_study *s) {
@@ -76,9 +76,8 @@ static void judge_bin(const court *c, const handling_study *s) {
     interval wide = arches_of(s, 0, SHAPES, ORIFICES - 1, 1);
     interval short_ones = arches_of(s, 0, 2, 0, ORIFICES);
     interval long_ones = arches_of(s, SHAPES - 2, 2, 0, ORIFICES);
-    say(c, "bin: arches less often at 8 cm than at 5 cm", interval_exact(is_above(narrow, wide)));
-    say(c, "bin: arches more often with the aspect ratio",
-        interval_exact(is_above(long_ones, short_ones)));
+    say(c, "bin: arches less often at 8 cm than at 5 cm", is_above(narrow, wide));
+    say(c, "bin: arches more often with the aspect ratio", is_above(long_ones, short_ones));
 }
 
 static int single_sphere(void) {

@@ -88,7 +88,7 @@ static void judge_friction(const court *c, const piston_summary *m) {
 static void judge_step(const court *c, const piston_summary *m) {
     bool have = isfinite(m->step.p);
     verdict_published(c->table, published_need(c->numbers, "P that the step makes no difference"),
-                      interval_exact(m->step.p), have);
+                      interval_of_none(m->step.p), have);
 }
 
 /* ---- beside the verdicts --------------------------------------------------------------------- */

@@ -8,7 +8,7 @@ array slot[3] = [5, 6.5, 8]
 array aspect[5] = ['1.2', '1.4', '1.6', '1.8', '2.0']
 array hue[5] = ['#440154', '#3f4a8a', '#26828e', '#2fa866', '#c9a800']
 stats data.'/discharge.csv' using 4 nooutput
-end = STATS_max > 2.5 ? 2.5 : STATS_max
+end = STATS_max
 set multiplot layout 1,3 margins screen across(1.6),1 - across(0.3),up(1.65),1 - up(0.9) spacing screen across(1.0),up(1.0)
 set xrange [0:end]; set yrange [0:205]
 set ytics 50

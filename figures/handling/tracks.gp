@@ -18,6 +18,7 @@ do for [p=1:2] {
     set lmargin at screen across(p == 1 ? 1.5 : 10.0); set rmargin at screen across(p == 1 ? 8.2 : 16.7)
     set bmargin at screen up(1.55); set tmargin at screen 1 - up(0.3)
     set ylabel (p == 1 ? 'z (cm)' : '')
+    set label 1 (p == 1 ? 'tapered, (a)' : 'irregular, (b)') at 58,56 right tc rgb ink
     set arrow 1 from 0,level to 30,level nohead lw 2.5 lc rgb experiment
     set arrow 2 from 59,level to 60,level nohead lw 2.5 lc rgb experiment
     set arrow 3 from 0,0 to 60,0 nohead lw 2.5 lc rgb experiment
