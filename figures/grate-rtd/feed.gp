@@ -1,7 +1,7 @@
 # title: Mean residence time against feed
 # counterpart: S12 Figs 4.13 and 3.22
 # needs: feeds.csv
-# caption: Left: clay on the backward grate, feed per metre of width; the feeds other than 20 kg/h are ours; open circles: bars and feed at ten times the speed, moved a little to the right. Right: wood, bars at 35 mm/s, both axes over their largest value as the source has them. Bars: 95 % intervals.
+# caption: Left: clay on the backward grate, feed per metre of width; the feeds other than 20 kg/h are ours; open circles: bars and feed at ten times the speed, moved by 1.3 kg/h to the right. Right: wood, bars at 35 mm/s, both axes over their largest value as the source has them. Bars: 95 % intervals.
 width = 17; height = 7.6
 load style
 set key off
@@ -11,7 +11,7 @@ clay = rows('feeds', '$1 == "clay"')
 fast = rows('feeds', '$1 == "fast"')
 set xrange [0:45]; set yrange [0:*]
 set xlabel 'feed (kg/h)'; set ylabel 'mean residence time (min)'
-plot quick using ($2 + 0.6):3:(spread($4)) with yerrorbars pt 6 ps 0.7 lw 1.1 lc rgb faint, \
+plot quick using ($2 + 1.3):3:(spread($4)) with yerrorbars pt 6 ps 0.7 lw 1.1 lc rgb faint, \
      clay using 2:3:(spread($4)) with yerrorbars pt 7 ps 0.7 lw 1.1 lc rgb ours
 unset label 999
 stats fast using 2 nooutput name 'F'
