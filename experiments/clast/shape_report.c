@@ -103,6 +103,13 @@ static void append_level(scene_buffer *out, const shape_sheet *s, const shape_le
     }
 }
 
+/* Whole rings may leave two levels with as many spheres: the same clump, and one key of a scene. */
+static bool is_repeated(const shape_sheet *s, int level) {
+    for (int i = 0; i < level; i++)
+        if (s->levels[i].clump.count == s->levels[level].clump.count) return true;
+    return false;
+}
+
 char *shape_yaml(const shape_sheet *s) {
     CLAST_ASSERT(s && s->count > 0);
     scene_buffer out = {0};
@@ -112,7 +119,8 @@ char *shape_yaml(const shape_sheet *s) {
                  "need into the section\n# shapes of a scene.\n",
                  s->density);
     scene_append(&out, "shapes:\n");
-    for (int i = 0; i < s->count; i++) append_level(&out, s, &s->levels[i]);
+    for (int i = 0; i < s->count; i++)
+        if (!is_repeated(s, i)) append_level(&out, s, &s->levels[i]);
     return out.text;
 }
 
