@@ -13,7 +13,8 @@
 #include <unistd.h>
 
 static const char HELP[] =
-    "usage: clast plan SCENE [--set NAME=VALUE]... [--threads N] [--steps N]\n"
+    "usage: clast plan SCENE [--set NAME=VALUE]... [--threads N]\n"
+    "                  [--spheres-per-thread N] [--steps N]\n"
     "\n"
     "Says which kernel the engine picked, the time step with each of its limits, how many steps "
     "and\n"
@@ -25,6 +26,7 @@ static const char HELP[] =
     "\n"
     "  --set NAME=VALUE   replaces an entry of the section parameters; may come several times\n"
     "  --threads N        as in clast run\n"
+    "  --spheres-per-thread N  likewise\n"
     "  --steps N          how many steps to time\n"
     "\n"
     "example: clast plan experiments/button-hopper/discharge.yaml --set orifice=5cm --threads 2\n"
@@ -43,6 +45,7 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
     const option options[] = {
         {"--set", OPTION_LIST, &a->set, NULL},
         {"--threads", OPTION_COUNT, &a->options.threads, NULL},
+        {"--spheres-per-thread", OPTION_COUNT, &a->options.spheres_per_thread, NULL},
         {"--steps", OPTION_COUNT, &a->steps, NULL},
     };
     int found =

@@ -13,6 +13,7 @@ static const char HELP[] =
     "Simulates a scene and writes frames, series and checkpoints into a folder.\n\n"
     "  --out FOLDER    where the results go; made when missing\n"
     "  --threads N     threads at most (default: cores); as many as pay for the spheres are used\n"
+    "  --spheres-per-thread N  so many spheres pay for a thread (default: 500)\n"
     "  --isa WHICH     auto, baseline, avx2 or avx512: vector lanes, the same bits with each\n"
     "  --resume        go on from the checkpoint in FOLDER, as if it had never stopped\n"
     "  --force         throw away the run that is in FOLDER\n"
@@ -40,6 +41,7 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
     const option options[] = {
         {"--out", OPTION_TEXT, &a->run.out, NULL},
         {"--threads", OPTION_COUNT, &a->load.threads, NULL},
+        {"--spheres-per-thread", OPTION_COUNT, &a->load.spheres_per_thread, NULL},
         {"--isa", OPTION_CHOICE, &isa, ISA},
         {"--resume", OPTION_FLAG, &a->run.resume, NULL},
         {"--force", OPTION_FLAG, &a->run.force, NULL},

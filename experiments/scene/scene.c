@@ -190,6 +190,7 @@ static scene *load(scene_arena *arena, scene_faults *faults, const char *path,
     scene_draft draft = {.def = clast_world_def_default()};
     scene_read(&reader, &draft);
     if (options->threads > 0) draft.def.threads = options->threads;
+    if (options->spheres_per_thread > 0) draft.def.spheres_per_thread = options->spheres_per_thread;
     if (options->isa != CLAST_ISA_AUTO) draft.def.isa = options->isa;
     if (options->mixed) draft.def.precision = CLAST_PRECISION_MIXED;
     if (options->fit_spheres > 0) refit(&draft, options->fit_spheres);

@@ -108,9 +108,10 @@ typedef struct scene {
 typedef struct scene_options {
     const char *const *set; /* "name=value" strings: override entries of `parameters` */
     int set_count;
-    int threads;     /* 0 = as the scene says */
-    clast_isa isa;   /* AUTO = as the scene says */
-    bool parse_only; /* do not prepare the world */
+    int threads;            /* 0 = as the scene says */
+    int spheres_per_thread; /* likewise */
+    clast_isa isa;          /* AUTO = as the scene says */
+    bool parse_only;        /* do not prepare the world */
     bool mixed;      /* mixed precision, whatever the scene says; `clast plan` asks what it saves */
     int fit_spheres; /* > 0: fitted shapes get so many spheres; `clast plan` asks what fewer cost */
 } scene_options;

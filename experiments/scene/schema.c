@@ -478,6 +478,8 @@ TABLE(GUARD, "guards", scene_draft, GUARD_KEYS);
 static const scene_key ENGINE_KEYS[] = {
     {"threads", KEY_COUNT, FIELD(def.threads), RANGE(1, 1024), .word = "auto", .fallback = "auto",
      .meaning = "at most (auto: the cores); as many as pay for the spheres are used"},
+    {"spheres_per_thread", KEY_COUNT, FIELD(def.spheres_per_thread), RANGE(1, 1000000),
+     .fallback = "500", .meaning = "so many spheres pay for a thread; 1: all threads are used"},
     {"isa", KEY_CHOICE, FIELD(def.isa), .choices = ISAS, .fallback = "auto",
      .meaning = "vector lanes"},
     {"skin", KEY_NUMBER, UNIT_LENGTH, FIELD(def.skin), ABOVE(0), .word = "auto", .fallback = "auto",

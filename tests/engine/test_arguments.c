@@ -327,6 +327,20 @@ static void few_spheres_take_one_thread(void **state) {
         assert_int_equal(clast_world_plan(own).threads, i ? 3 : 1);
         clast_world_free(own);
     }
+    for (int balls = 999; balls <= 1000; balls++) {
+        clast_world_def def = bare_def(CLAST_LAW_LINEAR);
+        def.threads = 3;
+        assert_int_equal(def.spheres_per_thread, 500);
+        clast_world *own = new_world(&def);
+        clast_pair_def pair = pair_of(0.5, 0);
+        int ball = clast_shape_add_sphere(own, "ball", 0.001, add_materials(own, &pair).soft);
+        for (int k = 0; k < balls; k++)
+            add_body(own, ball, vec(0.01 * (k % 40), 0.01 * (k / 40), 0), vec(0, 0, 0),
+                     vec(0, 0, 0));
+        assert_int_equal(clast_world_prepare(own), CLAST_OK);
+        assert_int_equal(clast_world_plan(own).threads, balls / 500);
+        clast_world_free(own);
+    }
     clast_world_def def = clast_world_def_default();
     def.spheres_per_thread = 0;
     assert_null(clast_world_new(&def));

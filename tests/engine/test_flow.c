@@ -361,6 +361,27 @@ static void threads_come_and_go(void **state) {
     clast_world_free(alone.w), clast_world_free(p.w);
 }
 
+/* A thread comes with its last sphere and goes when a fifth of its spheres is missing. */
+static void a_thread_stays_for_a_fifth(void **state) {
+    (void)state;
+    enum { EACH = 10, UP = 2 * EACH, DOWN = UP - UP / 5 };
+    plant p = new_plant(&(plant_wish){.rate = 0.4, .until = 0.2, .threads = 2, .per_thread = EACH});
+    int last = 1, rises = 0, falls = 0, kept[3] = {0};
+    for (int i = 0; i < 6000; i++) {
+        int before = (int)clast_world_counters(p.w).spheres;
+        steps(p.w, 1);
+        int now = clast_world_plan(p.w).threads, spheres = (int)clast_world_counters(p.w).spheres;
+        if (now > last && ++rises) assert_true(before >= UP || spheres >= UP);
+        if (now < last && ++falls) assert_true(before < DOWN || spheres < DOWN);
+        kept[now] += spheres > DOWN && spheres < UP;
+        last = now;
+    }
+    print_message("%d rises, %d falls; between, %d steps with one thread and %d with two\n", rises,
+                  falls, kept[1], kept[2]);
+    assert_true(rises > 0 && falls == rises && kept[1] > 0 && kept[2] > 0);
+    clast_world_free(p.w);
+}
+
 /* Save, load, go on: the same state, and the records that had not been read. */
 static void a_restart_feeds_on(void **state) {
     (void)state;
@@ -520,6 +541,7 @@ TEST_MAIN(cmocka_unit_test(a_feed_keeps_its_rate),
           cmocka_unit_test(books_close_over_coming_and_going),
           cmocka_unit_test(free_fall_is_booked_to_rounding),
           cmocka_unit_test(any_threads_skin_and_lanes), cmocka_unit_test(threads_come_and_go),
+          cmocka_unit_test(a_thread_stays_for_a_fifth),
           cmocka_unit_test(a_restart_feeds_on),
           cmocka_unit_test(a_restart_forgets_its_start),
           cmocka_unit_test(a_restart_knows_its_feed),

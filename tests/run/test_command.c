@@ -101,6 +101,8 @@ static void help_and_mistakes(void **state) {
     assert_int_equal(clast("run a.yaml --out x --thread 2"), CLAST_EXIT_USAGE);
     assert_true(said(error_path, "--thread"));
     assert_int_equal(clast("run a.yaml --out x --threads 0"), CLAST_EXIT_USAGE);
+    assert_int_equal(clast("run a.yaml --out x --spheres-per-thread 0"), CLAST_EXIT_USAGE);
+    assert_true(said(error_path, "--spheres-per-thread"));
     assert_int_equal(clast("run a.yaml --out x --isa sse9"), CLAST_EXIT_USAGE);
     assert_true(said(error_path, "avx512"));
 }
@@ -124,12 +126,16 @@ static void bad_scenes_and_folders(void **state) {
 static void threads_lanes_and_stops_leave_the_hash(void **state) {
     (void)state;
     uint64_t hash = run_to("plain", "");
-    assert_true(said(output_path, "steps/s"));
-    assert_true(run_to("quiet", "--quiet --threads 2 --isa baseline") == hash);
+    assert_true(said(output_path, "steps/s") && said(output_path, ", 1 thread\n"));
+    assert_true(run_to("two", "--threads 2 --spheres-per-thread 30 --isa baseline") == hash);
+    assert_true(said(output_path, ", 2 threads\n"));
+    assert_true(run_to("quiet", "--quiet") == hash);
     assert_false(said(output_path, "steps/s"));
-    assert_true(run_to("avx2", "--threads 3 --isa=avx2") == hash);
+    assert_true(run_to("avx2", "--threads 3 --spheres-per-thread=1 --isa=avx2") == hash);
+    assert_true(said(output_path, ", 3 threads\n"));
     assert_true(run_to("half", "--until 0.0777") != hash);
-    assert_true(run_to("half", "--resume --threads 4") == hash);
+    assert_true(run_to("half", "--resume --threads 4 --spheres-per-thread 1") == hash);
+    assert_true(said(output_path, ", 4 threads\n"));
     char *a = text_format("%s/plain/series.csv", folder),
          *b = text_format("%s/half/series.csv", folder);
     size_t n, m;

@@ -331,6 +331,7 @@ static void the_world_is_defined(void **state) {
     SAME(d->max_displacement, 0.2);
     SAME(d->max_residual, 0.07);
     assert_int_equal(d->threads, 1);
+    assert_int_equal(d->spheres_per_thread, 77);
     assert_int_equal(d->isa, CLAST_ISA_BASELINE);
     SAME(d->skin, 0.001);
     assert_int_equal(d->precision, CLAST_PRECISION_MIXED);
@@ -548,10 +549,11 @@ static void set_is_checked(void **state) {
 static void options_win_over_the_scene(void **state) {
     (void)state;
     char *faults = NULL;
-    scene_options options = {.threads = 2, .isa = CLAST_ISA_BASELINE};
+    scene_options options = {.threads = 2, .spheres_per_thread = 9, .isa = CLAST_ISA_BASELINE};
     scene *s = scene_load(SMALL, &options, &faults);
     assert_non_null(s);
     assert_int_equal(clast_world_definition(s->world)->threads, 2);
+    assert_int_equal(clast_world_definition(s->world)->spheres_per_thread, 9);
     assert_int_equal(clast_world_definition(s->world)->isa, CLAST_ISA_BASELINE);
     scene_free(s);
     free(faults);
