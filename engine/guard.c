@@ -1,6 +1,7 @@
 /* guard.c - a run that fails says what, who, where and when, and stops. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "engine/flow.h"
 #include "engine/geometry.h"
@@ -239,11 +240,11 @@ static double wall_overlap(const clast_world *w, const share *s, size_t k, size_
     return t->hidden ? 0 : t->overlap;
 }
 
-/* One contact that starts too deep. */
+/* Two bodies, or a body and a wall, that start too deep in each other; where at several places, the
+ * deepest. There may be as many as contacts, so texts are made of those alone that are told. */
 typedef struct start_fault {
-    contact_record record;
-    double overlap;
-    char text[640];
+    uint32_t a, b;
+    double overlap, depth; /* m, of the smaller radius */
 } start_fault;
 
 typedef struct start_faults {
@@ -251,19 +252,17 @@ typedef struct start_faults {
     size_t count, room;
 } start_faults;
 
-static void add_fault(clast_world *w, start_faults *f, const contact_record *r, double overlap,
-                      double small) {
-    char who[512];
+typedef struct told_fault {
+    start_fault fault; /* first: sorted as faults are */
+    char text[640];
+} told_fault;
+
+static void add_fault(clast_world *w, start_faults *f, start_fault fault) {
     if (f->count == f->room) {
         f->items = memory_grow(w, f->items, f->room, 2 * f->room + 16, sizeof *f->items);
         f->room = 2 * f->room + 16;
     }
-    start_fault *to = &f->items[f->count++];
-    to->record = *r, to->overlap = overlap;
-    describe_pair(w, r, who, sizeof who);
-    snprintf(to->text, sizeof to->text,
-             "starts with an overlap of %.3g mm, %.3g of the smaller radius (limit %.3g): %s",
-             1e3 * overlap, overlap / small, w->def.max_overlap, who);
+    f->items[f->count++] = fault;
 }
 
 static void find_faults(clast_world *w, const share *s, bool with_wall, start_faults *f) {
@@ -275,37 +274,78 @@ static void find_faults(clast_world *w, const share *s, bool with_wall, start_fa
         double small = contact_smaller_radius(w, &at);
         if (!(overlap > w->def.max_overlap * small)) continue;
         contact_record r = record_of(w, l, k, with_wall);
-        add_fault(w, f, &r, overlap, small);
+        add_fault(w, f, (start_fault){r.a, r.b, overlap, overlap / small});
     }
 }
 
-/* By name; of the contacts of one body with another, or with a wall, the deepest first. */
-static int compare_faults(const void *left, const void *right) {
-    const start_fault *x = left, *y = right;
-    if (x->record.a != y->record.a) return x->record.a < y->record.a ? -1 : 1;
-    if (x->record.b != y->record.b) return x->record.b < y->record.b ? -1 : 1;
-    if (x->overlap != y->overlap) return x->overlap > y->overlap ? -1 : 1;
-    return record_compare(&x->record, &y->record);
+static told_fault tell(const clast_world *w, const start_fault *f) {
+    told_fault told = {.fault = *f};
+    char who[512];
+    describe_pair(w, &(contact_record){.a = f->a, .b = f->b}, who, sizeof who);
+    snprintf(told.text, sizeof told.text,
+             "starts with an overlap of %.3g mm, %.3g of the smaller radius (limit %.3g): %s",
+             1e3 * f->overlap, f->depth, w->def.max_overlap, who);
+    return told;
 }
 
-/* Contacts of one body with another or with a wall are one fault. */
+static int compare_names(const start_fault *x, const start_fault *y) {
+    if (x->a != y->a) return x->a < y->a ? -1 : 1;
+    return x->b == y->b ? 0 : x->b < y->b ? -1 : 1;
+}
+
+static int compare_depths(const start_fault *x, const start_fault *y) {
+    if (x->depth != y->depth) return x->depth > y->depth ? -1 : 1;
+    return x->overlap == y->overlap ? 0 : x->overlap > y->overlap ? -1 : 1;
+}
+
+static int by_name(const void *left, const void *right) {
+    int order = compare_names(left, right);
+    return order ? order : compare_depths(left, right);
+}
+
+static int deepest_first(const void *left, const void *right) {
+    int order = compare_depths(left, right);
+    return order ? order : compare_names(left, right);
+}
+
+/* Of things that begin with a fault, one of each pair, the deepest first. Returns how many. */
+static size_t keep_one_of_each(void *items, size_t count, size_t size) {
+    char *at = items;
+    size_t kept = 0;
+    if (count > 1) qsort(items, count, size, by_name);
+    for (size_t k = 0; k < count; k++) {
+        char *now = at + k * size, *last = kept > 0 ? at + (kept - 1) * size : NULL;
+        if (last && compare_names((start_fault *)now, (start_fault *)last) == 0) continue;
+        memmove(at + kept++ * size, now, size);
+    }
+    if (kept > 1) qsort(items, kept, size, deepest_first);
+    return kept;
+}
+
+/* `own`: one of each pair, the deepest first. Returns how many there are in all processes. */
+static size_t complain_of_deepest(clast_world *w, const start_faults *own, int most) {
+    told_fault told[NAMED];
+    size_t mine = 0, told_count, count;
+    while (mine < NAMED && mine < own->count) told[mine] = tell(w, &own->items[mine]), mine++;
+    told_fault *texts = ranks_gather(w, told, mine, sizeof *told, &told_count);
+    start_fault *all = ranks_gather(w, own->items, own->count, sizeof *all, &count);
+    told_count = keep_one_of_each(texts, told_count, sizeof *texts);
+    count = keep_one_of_each(all, count, sizeof *all);
+    for (size_t k = 0; k < told_count && (int)k < most; k++) world_complain(w, "%s", texts[k].text);
+    free(texts), free(all);
+    return count;
+}
+
 static int complain_of_overlaps(clast_world *w, int faults) {
     start_faults own = {0};
     for (int t = 0; t < w->threads; t++) {
         find_faults(w, &w->shares[t], false, &own);
         find_faults(w, &w->shares[t], true, &own);
     }
-    size_t count;
-    start_fault *all = ranks_gather(w, own.items, own.count, sizeof *all, &count);
-    if (count > 1) qsort(all, count, sizeof *all, compare_faults);
-    for (size_t k = 0; k < count; k++) {
-        const contact_record *r = &all[k].record, *last = k > 0 ? &all[k - 1].record : NULL;
-        if (last && r->a == last->a && r->b == last->b) continue;
-        if (faults++ < NAMED) world_complain(w, "%s", all[k].text);
-    }
-    free(all);
+    own.count = keep_one_of_each(own.items, own.count, sizeof *own.items);
+    size_t more = complain_of_deepest(w, &own, NAMED - faults);
     memory_return(w, own.room * sizeof *own.items), memory_release(own.items);
-    return faults;
+    return faults + (int)more;
 }
 
 /* Needs built lists; `faults` have been complained of. */

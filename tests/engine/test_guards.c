@@ -143,6 +143,31 @@ static void overlaps_at_the_start_are_all_named(void **state) {
     clast_world_free(w);
 }
 
+/* A heap in the wrong unit: the message stays short, the number is right, and the deepest comes
+ * first. */
+static void thousands_of_overlaps_are_counted(void **state) {
+    (void)state;
+    enum { BALLS = 3000 };
+    clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
+    def.max_overlap = 0.05;
+    clast_world *w = new_world(&def);
+    clast_pair_def law = pair_of(1, 0.3);
+    int ball = clast_shape_add_sphere(w, "pea", 0.005, add_materials(w, &law).soft);
+    for (int i = 0; i < BALLS; i++) { /* two and two */
+        double apart = i == 37 ? 0.005 : 0.007;
+        add_body(w, ball, vec(0.02 * (i / 2 % 40) + (i % 2) * apart, 0.02 * (i / 80), 0),
+                 vec(0, 0, 0), vec(0, 0, 0));
+    }
+    assert_int_equal(clast_world_prepare(w), CLAST_ERR_ARGUMENT);
+    const char *e = clast_world_error(w), *end = strrchr(e, '\n');
+    int lines = 1;
+    for (const char *c = e; *c; c++) lines += *c == '\n';
+    assert_int_equal(lines, 11);
+    assert_string_equal(end, "\n... 1500 faults in all");
+    assert_ptr_equal(strstr(e, "starts with an overlap of 5 mm, 1 of the smaller radius"), e);
+    clast_world_free(w);
+}
+
 static void bodies_that_start_outside_are_named(void **state) {
     (void)state;
     clast_world_def def = bare_def(CLAST_LAW_HERTZ_MINDLIN);
@@ -181,5 +206,6 @@ TEST_MAIN(cmocka_unit_test(a_step_far_too_large_is_noticed),
           cmocka_unit_test(a_hole_in_the_books_is_noticed),
           cmocka_unit_test(report_counts_and_goes_on),
           cmocka_unit_test(overlaps_at_the_start_are_all_named),
+          cmocka_unit_test(thousands_of_overlaps_are_counted),
           cmocka_unit_test(bodies_that_start_outside_are_named),
           cmocka_unit_test(coinciding_bodies_are_noticed))
