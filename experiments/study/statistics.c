@@ -149,7 +149,7 @@ double estimate_above_p(estimate e) {
 }
 
 interval fall_percent(interval a, interval b) {
-    CLAST_ASSERT(a.mean != 0);
+    if (a.mean == 0) return (interval){NAN, NAN, NAN, 0};
     double rest = b.mean / a.mean, slope[2] = {100 * rest / a.mean, -100 / a.mean};
     return estimate_interval(estimate_of(100 * (1 - rest), (interval[]){a, b}, slope, 2));
 }

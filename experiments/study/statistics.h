@@ -92,7 +92,7 @@ estimate estimate_of(double value, const interval *part, const double *slope, in
 
 interval estimate_interval(estimate e); /* sd NAN: there is no one sample */
 double estimate_above_p(estimate e);    /* one-sided P that it is not above 0; NAN when unknown */
-interval fall_percent(interval a, interval b); /* from a to b, percent of a; a.mean not 0 */
+interval fall_percent(interval a, interval b); /* from a to b, percent of a; NAN from 0 */
 
 /* ---- tests of two means ---------------------------------------------------------------------- */
 

@@ -276,6 +276,8 @@ static void a_fall_has_welch_and_satterthwaite(void **state) {
     NEAR(fall.half, 2.995 * sqrt(4.56), 0.01); /* t between 3.182 (3) and 2.776 (4) */
     assert_true(fall.n == 2 && isnan(fall.sd));
     assert_true(isnan(fall_percent(a, interval_exact(4)).half));
+    fall = fall_percent(interval_exact(0), b);
+    assert_true(isnan(fall.mean) && isnan(fall.half));
 }
 
 /* With the same spread and number on both sides it is the pooled test; beside that of one mean. */

@@ -28,7 +28,9 @@ double roll(dice *d, double low, double high) {
 
 scratch_name scratch_file(const char *what) {
     scratch_name name;
-    int length = snprintf(name.text, sizeof name.text, "%s-%ld", what, (long)getpid());
+    const char *folder = getenv("TMPDIR");
+    int length = snprintf(name.text, sizeof name.text, "%s/%ld-%s",
+                          folder && folder[0] ? folder : "/tmp", (long)getpid(), what);
     assert_true(length > 0 && (size_t)length < sizeof name.text);
     return name;
 }

@@ -36,9 +36,9 @@ typedef struct dice {
 } dice;
 double roll(dice *d, double low, double high);
 
-/* Name of a file of this process in the working folder, which is the build's. */
+/* Name of a file of this process in the folder for temporary files (TMPDIR, else /tmp). */
 typedef struct scratch_name {
-    char text[64];
+    char text[256];
 } scratch_name;
 scratch_name scratch_file(const char *what);
 
