@@ -20,8 +20,11 @@ static void run_share(void *context, int thread) {
 }
 
 static void run_pass(clast_world *w, contact_mode mode) {
-    size_t parts = (size_t)w->threads * (size_t)w->part_count;
-    if (mode != CONTACTS_REPORT) memset(w->push_room, 0, parts * sizeof *w->push_room);
+    if (mode != CONTACTS_REPORT && w->special.pushing) {
+        size_t rows = (size_t)w->threads * ((size_t)w->part_count + NOBODYS_ROWS);
+        if (w->special.driving) memset(w->push_room, 0, rows * sizeof *w->push_room);
+        memset(w->push_row_room, 0, rows * sizeof *w->push_row_room);
+    }
     pass_order o = {w, mode};
     parallel_run(w->threads, run_share, &o);
 }
@@ -49,13 +52,25 @@ static void merge_threads(clast_world *w) {
     record[0] = overlap, record[PASS_NUMBERS - 1] = contacts;
 }
 
+/* N of the two halves: multiples of one quantum, so that they too are added exactly. */
+static void add_push(exact_sum force[3], const push_row *row, double quantum) {
+    uint64_t offsets = row->high[3];
+    for (int k = 0; k < 3; k++) {
+        force[k].coarse += (double)(int64_t)(row->high[k] - offsets) * (0x1p32 * quantum);
+        force[k].fine += (double)(int64_t)row->low[k] * quantum;
+    }
+}
+
 static void merge_pushes(clast_world *w) {
     size_t parts = w->special.pushing ? (size_t)w->part_count : 0;
-    double *all = w->pass_record + PASS_NUMBERS;
+    double *all = w->pass_record + PASS_NUMBERS, quantum = w->load_scale.force_quantum;
     memset(all, 0, parts * PART_NUMBERS * sizeof *all);
     for (int t = 0; t < w->threads; t++) {
-        const double *one = (const double *)w->shares[t].pushes;
-        for (size_t k = 0; k < parts * PART_NUMBERS; k++) all[k] += one[k];
+        const share *s = &w->shares[t];
+        const double *one = (const double *)s->pushes;
+        for (size_t i = 0; i < parts; i++)
+            add_push((exact_sum *)(all + i * PART_NUMBERS), &s->push_rows[i], quantum);
+        for (size_t k = 0; k < parts * PART_NUMBERS && w->special.driving; k++) all[k] += one[k];
     }
 }
 

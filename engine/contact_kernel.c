@@ -16,7 +16,7 @@
 #endif
 contact_kernel CLAST_KERNEL;
 
-enum { GROUP = 16 }; /* lanes of the widest vector */
+enum { GROUP = 64 / sizeof(real) }; /* lanes of the widest vector */
 
 /* One pass over one list. */
 typedef struct pass {
@@ -28,7 +28,8 @@ typedef struct pass {
     bool with_walls, far; /* far: rows do not fit into the second-level cache */
     bool around;          /* something of "around the law" is needed */
     bool yields, springs, rolls, user;
-    bool facets; /* walls that may hide each other: a sphere's stand in one batch */
+    bool pushing; /* the forces of parts that move are summed up */
+    bool facets;  /* walls that may hide each other: a sphere's stand in one batch */
     law_need need;
     law_choice choice;
     contact_tally tally;
@@ -36,7 +37,7 @@ typedef struct pass {
     real aside[HISTORY_COLUMNS][GROUP];
     batch b;
     wall_batch l;
-    _Alignas(64) int64_t force[4][LANES], ta[4][LANES], tb[4][LANES]; /* quanta; [3] stays 0 */
+    _Alignas(64) int64_t force[3][LANES], ta[3][LANES], tb[3][LANES]; /* quanta */
 } pass;
 
 /* ---- columns that are the same for all contacts ---------------------------------------------- */
@@ -64,6 +65,17 @@ static bool is_uniform(const pass *p) {
     return p->with_walls ? p->w->special.one_wall : p->w->special.one_kind;
 }
 
+/* What a flat scene does not fill. */
+static void clear_third(batch *b, int lanes) {
+    for (int i = 0; i < lanes; i++) b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
+}
+
+/* Spin and arm of a wall. */
+static void clear_other(batch *b, int lanes) {
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < lanes; i++) b->wb[k][i] = b->ob[k][i] = 0;
+}
+
 /* As many lanes as the list can fill. */
 static void fill_constants(pass *p) {
     const clast_world *w = p->w;
@@ -79,13 +91,18 @@ static void fill_constants(pass *p) {
         b->radius[i] = (real)(effective * r), b->mass[i] = (real)(effective * first->mass);
         b->per_small[i] = 1 / r;
         fill_coefficients(b, i, c);
-        b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
-        for (int k = 0; k < 3; k++) b->wb[k][i] = b->ob[k][i] = 0;
     }
+    if (p->need.flat) clear_third(b, lanes);
+    if (p->with_walls && !(p->need.equal && !p->rolls)) clear_other(b, lanes);
     if (is_uniform(p)) scale_stiffness(b, w->def.law, lanes);
 }
 
 /* ---- rows into columns ----------------------------------------------------------------------- */
+
+/* Lanes behind the last contact repeat it, and are told apart from it by their overlap. */
+LANE_INLINE int lane_or_last(int i, int count) {
+    return i < count ? i : count - 1;
+}
 
 /* Where the numbers of one sphere stand. */
 typedef struct side {
@@ -140,30 +157,35 @@ LANE_INLINE void load_four(batch *b, int i, const side *sa, const side *sb, law_
     if (need.clumps) put_vector(b->oa, i, oa, need), put_vector(b->ob, i, ob, need);
 }
 
-/* As many fours as there are; the rest is for scalars. */
-LANE_INLINE int load_fours(pass *p, const int32_t *a, const int32_t *b, int count, law_need need) {
+LANE_INLINE void load_pairs(pass *p, const int32_t *a, const int32_t *b, int count, int padded,
+                            law_need need) {
     const row_store *r = &p->w->rows;
-    int i = 0;
-    for (; i + 4 <= count; i += 4) {
+    for (int i = 0; i < padded; i += 4) {
         side sa[4], sb[4];
-        for (int k = 0; k < 4; k++)
-            sa[k] = side_of(r, a[i + k], need), sb[k] = side_of(r, b[i + k], need);
+        for (int k = 0; k < 4; k++) {
+            int at = lane_or_last(i + k, count);
+            sa[k] = side_of(r, a[at], need), sb[k] = side_of(r, b[at], need);
+        }
         load_four(&p->b, i, sa, sb, need);
     }
-    return i;
 }
 #else
-LANE_INLINE int load_fours(pass *p, const int32_t *a, const int32_t *b, int count, law_need need) {
-    (void)p, (void)a, (void)b, (void)count, (void)need;
-    return 0;
+LANE_INLINE void load_pairs(pass *p, const int32_t *a, const int32_t *b, int count, int padded,
+                            law_need need) {
+    const row_store *r = &p->w->rows;
+    for (int i = 0; i < padded; i++) {
+        int at = lane_or_last(i, count);
+        load_pair(&p->b, i, side_of(r, a[at], need), side_of(r, b[at], need), need);
+    }
 }
 #endif
 
 /* Spheres that are not like all others. */
-static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count) {
+static void load_kinds(pass *p, const int32_t *a, const int32_t *b, int count, int padded) {
     const clast_world *w = p->w;
-    for (int i = 0; i < count; i++) {
-        size_t sa = (size_t)a[i], sb = (size_t)b[i];
+    for (int i = 0; i < padded; i++) {
+        int at = lane_or_last(i, count);
+        size_t sa = (size_t)a[at], sb = (size_t)b[at];
         const motion_row *ma = &w->rows.motion[body_of_sphere(w, sa)];
         const motion_row *mb = &w->rows.motion[body_of_sphere(w, sb)];
         p->b.ra[i] = w->rows.centre[sa].radius, p->b.rb[i] = w->rows.centre[sb].radius;
@@ -192,16 +214,39 @@ LANE_INLINE void prefetch_piece(const pass *p, size_t begin, int piece, law_need
     }
 }
 
-LANE_INLINE void load_spheres(pass *p, size_t begin, int count, law_need need) {
+LANE_INLINE void load_spheres(pass *p, size_t begin, int count, int padded, law_need need) {
     const int32_t *a = p->list->a + begin, *b = p->list->b + begin;
-    const row_store *r = &p->w->rows;
-    for (int i = load_fours(p, a, b, count, need); i < count; i++)
-        load_pair(&p->b, i, side_of(r, a[i], need), side_of(r, b[i], need), need);
-    if (p->w->period.any) take_nearest(&p->w->kernel_period, &p->b, count);
-    if (!p->w->special.one_kind) load_kinds(p, a, b, count);
+    load_pairs(p, a, b, count, padded, need);
+    if (p->w->period.any) take_nearest(&p->w->kernel_period, &p->b, padded);
+    if (!p->w->special.one_kind) load_kinds(p, a, b, count, padded);
 }
 
 /* A batch of walls: rows of spheres less those of walls. */
+#ifdef LANE_ROWS
+LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
+                                 int count, law_need need) {
+    const row_store *r = &p->w->rows;
+    rows4 d[4], dt[4], v[4], wa[4], oa[4], row[5][4];
+    for (int k = 0; k < 4; k++) {
+        int at = lane_or_last(i + k, count);
+        size_t sphere = (size_t)spheres[at];
+        const wall_row *l = &p->w->wall_rows[walls[at]];
+        const motion_row *m = &r->motion[need.clumps ? (size_t)r->arm[sphere].body : sphere];
+        for (int j = 0; j < 5; j++) row[j][k] = row_at(l->point + 4 * j);
+        d[k] = row_at(&r->centre[sphere].x) - row[0][k];
+        v[k] = row_at(m->v) - row[1][k];
+        wa[k] = row_at(m->w);
+        if (need.clumps) oa[k] = row_at(r->arm[sphere].arm);
+    }
+    TRANSPOSE4(rows4, d, dt);
+    for (int k = 0; k < 3; k++) *(rows4 *)&p->b.d[k][i] = dt[k];
+    *(rows4 *)&p->b.ra[i] = dt[3];
+    put_vector(p->b.v, i, v, need);
+    put_spin(p->b.wa, i, wa, need);
+    if (need.clumps) put_vector(p->b.oa, i, oa, need);
+    put_row(p->l.n, i, row[2]), put_row(p->l.u, i, row[3]), put_row(p->l.v, i, row[4]);
+}
+#else
 LANE_INLINE void load_wall_contact(pass *p, int i, size_t sphere, size_t wall_index,
                                    law_need need) {
     const row_store *r = &p->w->rows;
@@ -220,70 +265,35 @@ LANE_INLINE void load_wall_contact(pass *p, int i, size_t sphere, size_t wall_in
     }
     p->l.n[3][i] = l->half_u, p->l.u[3][i] = l->half_v, p->l.v[3][i] = l->rim;
 }
-
-#ifdef LANE_ROWS
-LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
-                                 law_need need) {
-    const row_store *r = &p->w->rows;
-    rows4 d[4], dt[4], v[4], wa[4], oa[4], row[5][4];
-    for (int k = 0; k < 4; k++) {
-        const wall_row *l = &p->w->wall_rows[walls[k]];
-        const motion_row *m = &r->motion[body_of_sphere(p->w, (size_t)spheres[k])];
-        for (int j = 0; j < 5; j++) row[j][k] = row_at(l->point + 4 * j);
-        d[k] = row_at(&r->centre[spheres[k]].x) - row[0][k];
-        v[k] = row_at(m->v) - row[1][k];
-        wa[k] = row_at(m->w);
-        if (need.clumps) oa[k] = row_at(r->arm[spheres[k]].arm);
-    }
-    TRANSPOSE4(rows4, d, dt);
-    for (int k = 0; k < 3; k++) *(rows4 *)&p->b.d[k][i] = dt[k];
-    *(rows4 *)&p->b.ra[i] = dt[3];
-    put_vector(p->b.v, i, v, need);
-    put_spin(p->b.wa, i, wa, need);
-    if (need.clumps) put_vector(p->b.oa, i, oa, need);
-    put_row(p->l.n, i, row[2]), put_row(p->l.u, i, row[3]), put_row(p->l.v, i, row[4]);
-}
 #endif
 
 /* Where spheres or walls are not all alike. */
-static void load_wall_kinds(pass *p, const int32_t *spheres, const int32_t *walls, int count) {
+static void load_wall_kinds(pass *p, const int32_t *spheres, const int32_t *walls, int count,
+                            int padded) {
     const clast_world *w = p->w;
     batch *b = &p->b;
-    for (int i = 0; i < count; i++) {
-        const motion_row *m = &w->rows.motion[body_of_sphere(w, (size_t)spheres[i])];
+    for (int i = 0; i < padded; i++) {
+        int at = lane_or_last(i, count);
+        const motion_row *m = &w->rows.motion[body_of_sphere(w, (size_t)spheres[at])];
         b->radius[i] = (real)b->ra[i], b->mass[i] = (real)m->mass;
         b->per_small[i] = 1 / b->ra[i];
-        int other = w->walls[walls[i]].def.material;
+        int other = w->walls[walls[at]].def.material;
         fill_coefficients(b, i, &w->coefs[m->material * w->material_count + other]);
     }
 }
 
-LANE_INLINE void load_walls(pass *p, size_t begin, int count, law_need need) {
+LANE_INLINE void load_walls(pass *p, size_t begin, int count, int padded, law_need need) {
     const int32_t *spheres = p->list->a + begin, *walls = p->list->b + begin;
-    int i = 0;
 #ifdef LANE_ROWS
-    for (; i + 4 <= count; i += 4) load_four_walls(p, i, spheres + i, walls + i, need);
-#endif
-    for (; i < count; i++) load_wall_contact(p, i, (size_t)spheres[i], (size_t)walls[i], need);
-    if (p->w->period.any) take_images(p->w, p->list, begin, &p->b, count);
-    if (!p->w->special.one_wall) load_wall_kinds(p, spheres, walls, count);
-}
-
-/* Lanes behind the last contact: far apart and at rest. */
-static void pad(pass *p, int count, int padded) {
-    batch *b = &p->b;
-    for (int i = count; i < padded; i++) {
-        b->d[0][i] = 1e30, b->d[1][i] = b->d[2][i] = 0;
-        b->overlap[i] = -1, b->depth[i] = 0;
-        for (int k = 0; k < 3; k++)
-            b->v[k][i] = b->wa[k][i] = b->wb[k][i] = b->oa[k][i] = b->ob[k][i] = 0;
-        b->n[0][i] = 1, b->n[1][i] = b->n[2][i] = 0;
-        b->la[i] = b->lb[i] = 0;
-        b->ma[i] = b->mb[i] = 1;
-        if (!p->with_walls) continue;
-        for (int k = 0; k < 4; k++) p->l.n[k][i] = p->l.u[k][i] = p->l.v[k][i] = 0;
-        b->ra[i] = p->l.n[0][i] = 1;
+    for (int i = 0; i < padded; i += 4) load_four_walls(p, i, spheres, walls, count, need);
+#else
+    for (int i = 0; i < padded; i++) {
+        int at = lane_or_last(i, count);
+        load_wall_contact(p, i, (size_t)spheres[at], (size_t)walls[at], need);
     }
+#endif
+    if (p->w->period.any) take_images(p->w, p->list, begin, &p->b, count);
+    if (!p->w->special.one_wall) load_wall_kinds(p, spheres, walls, count, padded);
 }
 
 /* ---- lanes ----------------------------------------------------------------------------------- */
@@ -293,6 +303,11 @@ static history_lanes history_at(const contact_list *l, size_t begin) {
     real *plastic = c[HISTORY_PLASTIC] ? c[HISTORY_PLASTIC] + begin : NULL;
     return (history_lanes){c[0] + begin, c[1] + begin, c[2] + begin,
                            c[3] + begin, c[4] + begin, plastic};
+}
+
+/* What only fills up the last vector is apart. */
+LANE_INLINE void hide_behind(batch *b, int i, int count) {
+    b->overlap[i] = i < count ? b->overlap[i] : -1;
 }
 
 LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
@@ -306,7 +321,10 @@ LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
     else if (p->facets)
         settle_walls(&t, &p->b, &p->l, begin, count);
 #pragma omp simd
-    for (int i = 0; i < padded; i++) wall_overlap_lane(&p->b, i);
+    for (int i = 0; i < padded; i++) {
+        hide_behind(&p->b, i, count);
+        wall_overlap_lane(&p->b, i);
+    }
 }
 
 /* A wall that turns moves where it is touched; the sphere rolls against its spin. */
@@ -327,10 +345,14 @@ static void turn_walls(pass *p, size_t begin, int count) {
     }
 }
 
-LANE_INLINE void touch_spheres(pass *p, int padded, law_need need) {
+LANE_INLINE void touch_spheres(pass *p, int count, int padded, law_need need) {
     batch *b = &p->b;
 #pragma omp simd
-    for (int i = 0; i < padded; i++) touch_lane(b, i, need);
+    for (int i = 0; i < padded; i++) {
+        touch_lane(b, i, need);
+        hide_behind(b, i, count);
+        b->depth[i] = (real)(b->overlap[i] > 0 ? b->overlap[i] : 0);
+    }
     if (p->w->special.one_kind) return;
 #pragma omp simd
     for (int i = 0; i < padded; i++) effective_lane(b, i);
@@ -445,10 +467,9 @@ LANE_INLINE void run_lanes(pass *p, size_t begin, int padded, law_need need) {
 static void tally_lanes(pass *p, int padded) {
     const batch *b = &p->b;
     sum_scale q = p->w->ledger.scale;
-    double ec = 0, ef = 0, dc = 0, df = 0, most = p->tally.overlap_max;
-    int touching = 0, bad = 0;
+    double ec = 0, ef = 0, dc = 0, df = 0, touching = 0, bad = 0, most = p->tally.overlap_max;
     double limit = p->w->load_scale.limit * p->w->load_scale.force_quantum;
-#pragma omp simd reduction(+ : ec, ef, dc, df, touching) reduction(max : most) reduction(| : bad)
+#pragma omp simd reduction(+ : ec, ef, dc, df, touching, bad) reduction(max : most)
     for (int i = 0; i < padded; i++) {
         double e = (double)b->elastic[i], coarse = (e + q.coarse) - q.coarse;
         ec += coarse, ef += ((e - coarse) + q.fine) - q.fine;
@@ -457,12 +478,12 @@ static void tally_lanes(pass *p, int padded) {
         dc += coarse, df += ((d - coarse) + q.fine) - q.fine;
         double overlap = b->overlap[i] * b->per_small[i];
         most = overlap > most ? overlap : most;
-        touching += b->overlap[i] > 0;
+        touching += b->overlap[i] > 0 ? 1 : 0;
         double size =
             fabs((double)b->f[0][i]) + fabs((double)b->f[1][i]) + fabs((double)b->f[2][i]);
-        bad |= !(size < limit);
+        bad += size < limit ? 0 : 1;
     }
-    p->tally.overlap_max = bad ? INFINITY : most;
+    p->tally.overlap_max = bad > 0 ? INFINITY : most;
     p->tally.contacts += (size_t)touching;
     if (p->mode != CONTACTS_ADVANCE) return;
     p->tally.elastic.coarse += ec, p->tally.elastic.fine += ef;
@@ -498,9 +519,22 @@ LANE_INLINE void add4(int64_t *to, whole4 term) {
     *(whole4 *)to += term;
 }
 
-LANE_INLINE void to_rows(whole4 *r, const int64_t (*column)[LANES], int i) {
-    whole4 c[4];
-    for (int k = 0; k < 4; k++) c[k] = *(const whole4 *)&column[k][i];
+/* Both halves of a number that is not below zero any more. */
+LANE_INLINE void add_push(push_row *row, whole4 force) {
+    typedef uint64_t words4 __attribute__((vector_size(32), aligned(8), may_alias));
+    words4 word = (words4)force + (uint64_t)PUSH_OFFSET;
+    *(words4 *)row->low += word & 0xffffffff, *(words4 *)row->high += word >> 32;
+}
+
+LANE_INLINE void force_rows(whole4 *r, int64_t (*column)[LANES], int i, law_need need) {
+    whole4 c[4] = {{0}};
+    for (int k = 0; k < (need.flat ? 2 : 3); k++) c[k] = *(const whole4 *)&column[k][i];
+    TRANSPOSE4(whole4, c, r);
+}
+
+LANE_INLINE void torque_rows(whole4 *r, int64_t (*column)[LANES], int i, law_need need) {
+    whole4 c[4] = {{0}};
+    for (int k = need.flat ? 2 : 0; k < 3; k++) c[k] = *(const whole4 *)&column[k][i];
     TRANSPOSE4(whole4, c, r);
 }
 #endif
@@ -532,46 +566,65 @@ LANE_INLINE load_pair_rows rows_of(const pass *p, size_t at, law_need need) {
     return (load_pair_rows){&r->loads[a], b < end ? &r->loads[b] : &p->s->overhang[b - end]};
 }
 
-LANE_INLINE void scatter_one(pass *p, size_t begin, int i, law_need need) {
-    load_pair_rows rows = rows_of(p, begin + (size_t)i, need);
-    add_load(rows.a, p, i, true, need);
-    if (rows.b) add_load(rows.b, p, i, false, need);
+/* Walls of parts that stay push nobody's row. */
+LANE_INLINE push_row *push_row_of(const pass *p, size_t at) {
+    return &p->s->push_rows[p->w->push_index[p->list->b[at]]];
+}
+
+#ifdef LANE_ROWS
+LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+    bool turns = need.tangent || need.clumps;
+    for (int i = 0; i < count; i += 4) {
+        whole4 f[4], ta[4], tb[4];
+        force_rows(f, p->force, i, need);
+        if (turns) torque_rows(ta, p->ta, i, need);
+        if (turns && !need.equal) torque_rows(tb, p->tb, i, need);
+        for (int k = 0; k < 4; k++) {
+            if (i + k >= count) break;
+            load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
+            add4(rows.a->force, f[k]);
+            if (turns) add4(rows.a->torque, ta[k]);
+            if (p->pushing) add_push(push_row_of(p, begin + (size_t)(i + k)), f[k]);
+            if (!rows.b) continue;
+            add4(rows.b->force, -f[k]);
+            if (turns) add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
+        }
+    }
+}
+#else
+LANE_INLINE void add_push(push_row *row, const pass *p, int i, law_need need) {
+    for (int k = 0; k < 4; k++) {
+        bool none = k == 3 || (k == 2 && need.flat);
+        uint64_t word = (uint64_t)(none ? 0 : p->force[k][i]) + (uint64_t)PUSH_OFFSET;
+        row->low[k] += word & 0xffffffff, row->high[k] += word >> 32;
+    }
 }
 
 LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
-    int i = 0;
-#ifdef LANE_ROWS
-    for (; i + 4 <= count; i += 4) {
-        whole4 f[4], ta[4], tb[4];
-        to_rows(f, (const int64_t(*)[LANES])p->force, i);
-        to_rows(ta, (const int64_t(*)[LANES])p->ta, i);
-        if (!need.equal) to_rows(tb, (const int64_t(*)[LANES])p->tb, i);
-        for (int k = 0; k < 4; k++) {
-            load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
-            add4(rows.a->force, f[k]), add4(rows.a->torque, ta[k]);
-            if (!rows.b) continue;
-            add4(rows.b->force, -f[k]), add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
-        }
+    for (int i = 0; i < count; i++) {
+        load_pair_rows rows = rows_of(p, begin + (size_t)i, need);
+        add_load(rows.a, p, i, true, need);
+        if (p->pushing) add_push(push_row_of(p, begin + (size_t)i), p, i, need);
+        if (rows.b) add_load(rows.b, p, i, false, need);
     }
-#endif
-    for (; i < count; i++) scatter_one(p, begin, i, need);
 }
+#endif
 
 /* ---- walls and readers ----------------------------------------------------------------------- */
 
-/* What parts with a moving surface do to the bodies. */
-static void tally_pushes(pass *p, size_t begin, int count) {
+/* What belts and parts that turn do to the bodies beside their forces. */
+static void tally_drives(pass *p, size_t begin, int count) {
     const clast_world *w = p->w;
     const batch *b = &p->b;
     bool flat = p->need.flat, couples = p->need.tangent || p->need.clumps;
     for (int i = 0; i < count; i++) {
         size_t at = begin + (size_t)i;
         const wall *l = &w->walls[p->list->b[at]];
-        if (!l->pushes || !(b->overlap[i] > 0)) continue;
+        if (!l->drives || !(b->overlap[i] > 0)) continue;
         vec3 f = v3((double)b->f[0][i], (double)b->f[1][i], flat ? 0 : (double)b->f[2][i]);
         vec3 couple = {0, 0, couples ? (double)b->ta[2][i] : 0};
         if (couples && !flat) couple.x = (double)b->ta[0][i], couple.y = (double)b->ta[1][i];
-        part_add_push(w, &p->s->pushes[l->part], l, (size_t)p->list->a[at], f, couple);
+        part_add_drive(w, &p->s->pushes[l->part], l, (size_t)p->list->a[at], f, couple);
     }
 }
 
@@ -589,14 +642,9 @@ static void report(pass *p, size_t begin, int count) {
 /* Everything that the law reads. */
 LANE_INLINE void prepare_batch(pass *p, size_t begin, int count, int padded, law_need need) {
     if (p->with_walls)
-        load_walls(p, begin, count, need);
+        load_walls(p, begin, count, padded, need), touch_walls(p, begin, count, padded);
     else
-        load_spheres(p, begin, count, need);
-    if (padded > count) pad(p, count, padded);
-    if (p->with_walls)
-        touch_walls(p, begin, count, padded);
-    else
-        touch_spheres(p, padded, need);
+        load_spheres(p, begin, count, padded, need), touch_spheres(p, count, padded, need);
     prefetch_piece(p, begin, 0, need);
     if (p->with_walls && p->w->special.turning) turn_walls(p, begin, count);
     if (p->around) before_law(p, begin, count, padded);
@@ -700,7 +748,7 @@ LANE_INLINE void run_list(pass *p, law_need need) {
         round_loads(p, padded, need);
         prefetch_piece(p, begin, 6, need);
         scatter(p, begin, count, need);
-        if (p->with_walls && p->w->special.pushing) tally_pushes(p, begin, count);
+        if (p->with_walls && p->w->special.driving) tally_drives(p, begin, count);
     }
 }
 
@@ -762,8 +810,6 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     pass p;
     p.w = w, p.s = s, p.mode = mode;
     p.far = w->bodies.count > 40000;
-    memset(p.force[2], 0, 2 * sizeof p.force[2]); /* what a flat scene does not fill */
-    memset(p.ta, 0, sizeof p.ta), memset(p.tb, 0, sizeof p.tb);
     const clast_law_info *law = clast_law_info_of(w->def.law);
     p.yields = law->yields, p.springs = k->spring, p.rolls = k->rolling;
     p.user = w->def.law == CLAST_LAW_USER;
@@ -773,12 +819,12 @@ void CLAST_KERNEL(const clast_world *w, share *s, contact_mode mode) {
     p.need = (law_need){law->linear, k->tangent, k->flat, k->clumps, equal};
     p.choice = choice_of(w, mode);
     p.tally = (contact_tally){.contacts = 0};
-    p.list = &s->contacts, p.with_walls = p.facets = false;
+    p.list = &s->contacts, p.with_walls = p.facets = p.pushing = false;
     p.report = mode == CONTACTS_REPORT ? s->report : NULL;
     run(&p);
     p.need.equal = !k->clumps; /* a wall does not spin and feels no torque */
     p.list = &s->walls, p.with_walls = true, p.far = false;
-    p.facets = k->facets;
+    p.facets = k->facets, p.pushing = k->pushing;
     p.report = mode == CONTACTS_REPORT ? s->wall_report : NULL;
     run(&p);
     s->contact_tally = p.tally;

@@ -83,6 +83,13 @@ void entry_clear(clast_world *w, contact_list *l, size_t i) {
     for (int k = 0; k < w->history_columns; k++) set_column(w, l, k, i, 0);
 }
 
+/* A batch behind the last entry: lanes that fill up a vector have no history. */
+void entries_clear_behind(clast_world *w, contact_list *l) {
+    size_t size = entry_number_size(w);
+    for (int k = 0; k < w->history_columns; k++)
+        memset((char *)l->column[k] + l->count * size, 0, ENTRIES_BEHIND * size);
+}
+
 /* The history of one entry becomes that of another, and none is left. */
 void entry_hand_over(const clast_world *w, const contact_list *l, size_t to, size_t from) {
     for (int k = 0; k < w->history_columns; k++) {

@@ -172,7 +172,8 @@ static refresh refresh_begin(clast_world *w, contact_list *l) {
 
 static void refresh_end(clast_world *w, const refresh *r) {
     r->l->count = r->write;
-    entry_reserve(w, r->l, r->write); /* the old entries may have stood in the room behind */
+    entry_reserve(w, r->l, r->write);
+    entries_clear_behind(w, r->l); /* the old entries may have stood there */
 }
 
 static void refresh_share(clast_world *w, share *s) {

@@ -99,8 +99,10 @@ int clast_part_add(clast_world *w, const clast_part_def *def) {
     p->def.name = p->name;
     p->def.table = own_table(w, &def->table);
     p->turns = def->rotation.speed != 0 || def->rotation.swing != 0 || def->table.angle;
-    p->shifts = !is_nothing(def->velocity) || !is_nothing(def->stroke.travel) ||
-                !is_nothing(def->oscillation.amplitude) || def->table.rows > 0;
+    bool varies = !is_nothing(def->stroke.travel) || !is_nothing(def->oscillation.amplitude) ||
+                  def->table.rows > 0;
+    p->shifts = !is_nothing(def->velocity) || varies;
+    p->steady = !varies && !p->turns;
     if (p->turns) p->axis = v3_scale(1 / v3_norm(def->rotation.axis), def->rotation.axis);
     p->at = part_at(p, 0);
     w->part_count++;
@@ -204,10 +206,12 @@ part_place part_at(const part *p, double time) {
     const clast_part_def *d = &p->def;
     double t = running_time(d, time);
     part_place at = {.offset = v3_scale(t, d->velocity), .velocity = d->velocity};
-    add_stroke(&d->stroke, t, &at);
-    add_oscillation(&d->oscillation, t, &at);
-    if (p->turns) add_rotation(&d->rotation, t, &at);
-    add_table(&d->table, t, &at);
+    if (!p->steady) {
+        add_stroke(&d->stroke, t, &at);
+        add_oscillation(&d->oscillation, t, &at);
+        if (p->turns) add_rotation(&d->rotation, t, &at);
+        add_table(&d->table, t, &at);
+    }
     if (!part_is_running(d, time)) at.velocity = v3(0, 0, 0), at.spin = 0;
     return at;
 }

@@ -47,13 +47,10 @@ static inline vec3 part_pivot(const part *p) {
     return v3_add(p->def.rotation.point, p->at.offset);
 }
 
-/* Adds what a wall does to a body at that sphere: the force (N) and the couple about the centre of
- * mass (N m). Kernel frame. */
-static inline void part_add_push(const clast_world *w, part_sums *s, const wall *l, size_t sphere,
-                                 vec3 force, vec3 couple) {
-    sum_add(&s->force[0], &w->force_scale, force.x);
-    sum_add(&s->force[1], &w->force_scale, force.y);
-    sum_add(&s->force[2], &w->force_scale, force.z);
+/* Adds what a belt or a wall that turns does to a body at that sphere beside its force: by the
+ * force (N) and the couple about the centre of mass (N m). Kernel frame. */
+static inline void part_add_drive(const clast_world *w, part_sums *s, const wall *l, size_t sphere,
+                                  vec3 force, vec3 couple) {
     sum_add(&s->belt, &w->belt_scale, v3_dot(force, to_kernel(w, l->belt)));
     const part *p = &w->parts[l->part];
     if (!p->turns) return;

@@ -23,20 +23,28 @@ void shares_free(clast_world *w) {
         shared_free(s);
     }
     memory_release(w->shares), memory_release(w->push_room), memory_release(w->pass_record);
-    w->shares = NULL, w->push_room = NULL, w->pass_record = NULL;
+    memory_release(w->push_row_room);
+    w->shares = NULL, w->push_room = NULL, w->pass_record = NULL, w->push_row_room = NULL;
     w->threads = w->lists = w->share_room = 0;
 }
 
 /* ---- how many -------------------------------------------------------------------------------- */
 
+static size_t push_rows(const clast_world *w) {
+    return (size_t)w->part_count + NOBODYS_ROWS;
+}
+
 static void make_room(clast_world *w, int lists) {
-    size_t old = (size_t)w->share_room, now = (size_t)lists, parts = (size_t)w->part_count;
+    size_t old = (size_t)w->share_room, now = (size_t)lists, rows = push_rows(w);
+    bool first = !w->push_room;
     share *more = memory_lines(w, NULL, old * sizeof *more, now * sizeof *more);
     if (old > 0) memcpy(more, w->shares, old * sizeof *more);
     memory_release(w->shares);
     w->shares = more;
-    w->push_room = memory_grow(w, w->push_room, w->push_room ? old * parts + 1 : 0, now * parts + 1,
-                               sizeof *w->push_room);
+    w->push_room =
+        memory_grow(w, w->push_room, first ? 0 : old * rows, now * rows, sizeof *w->push_room);
+    w->push_row_room = memory_lines(w, w->push_row_room, old * rows * sizeof *w->push_row_room,
+                                    now * rows * sizeof *w->push_row_room);
     w->share_room = lists;
 }
 
@@ -61,7 +69,8 @@ static void use(clast_world *w, int threads) {
     for (int t = 0; t < w->share_room; t++) {
         share *s = &w->shares[t];
         s->across = t >= threads && t < lists;
-        s->pushes = w->push_room + (size_t)(t % threads) * (size_t)w->part_count;
+        size_t row = (size_t)(t % threads) * push_rows(w);
+        s->pushes = w->push_room + row, s->push_rows = w->push_row_room + row;
         s->reach.count = s->wall_reach.count = 0;
     }
 }

@@ -139,6 +139,7 @@ void special_choose(clast_world *w) {
         const part *p = &w->parts[w->walls[l].part];
         k.turning |= p->turns;
         k.pushing |= wall_pushes(w, &w->walls[l]);
+        k.driving |= wall_drives(w, &w->walls[l]);
     }
     w->special = k;
 }
@@ -153,7 +154,6 @@ static void choose_push_scales(clast_world *w, double force) {
     lever += v3_norm(wide);
     for (int l = 0; l < w->wall_count; l++)
         belt = fmax(belt, v3_norm(w->walls[l].def.belt_velocity));
-    w->force_scale = sum_scale_for(force);
     w->moment_scale = sum_scale_for(force * number_power_of_two_above(lever));
     w->belt_scale = sum_scale_for(force * number_power_of_two_above(fmax(belt, 1e-30)));
 }

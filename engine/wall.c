@@ -129,10 +129,18 @@ static void take_lever(const clast_world *w, part *p, const wall *l) {
 
 /* ---- following ------------------------------------------------------------------------------- */
 
+static bool ever_moves(const part *p) {
+    return p->turns || p->shifts;
+}
+
+/* Whether its work is more than that of its force. */
+bool wall_drives(const clast_world *w, const wall *l) {
+    return w->parts[l->part].turns || v3_norm(l->def.belt_velocity) > 0;
+}
+
 /* Whether its work has to be booked. */
 bool wall_pushes(const clast_world *w, const wall *l) {
-    const part *p = &w->parts[l->part];
-    return p->turns || p->shifts || v3_norm(l->def.belt_velocity) > 0;
+    return w->parts[l->part].shifts || wall_drives(w, l);
 }
 
 /* Which walls a part has, and what stays the same of them. */
@@ -150,9 +158,21 @@ void walls_group(clast_world *w) {
         part *p = &w->parts[l->part];
         p->walls[p->wall_count++] = k;
         l->u_home = l->u, l->v_home = l->v;
-        l->pushes = wall_pushes(w, l);
+        l->pushes = wall_pushes(w, l), l->drives = wall_drives(w, l);
         if (p->turns) take_lever(w, p, l);
     }
+}
+
+static bool are_same(vec3 a, vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* m, that a part which moves by its velocity alone goes on to its place at that time: nothing else
+ * of it changes. */
+static double glide(part *p, double time) {
+    vec3 was = p->at.offset;
+    p->at.offset = part_at(p, time).offset;
+    return v3_norm(v3_sub(p->at.offset, was));
 }
 
 /* Puts a part where it is at that time, with velocities at another; whether its walls have to be
@@ -165,16 +185,21 @@ static bool move_part(clast_world *w, part *p, double time, double velocity_time
     bool stays = w->prepared && running == was_running && !p->turns && !p->shifts;
     p->present = present, p->running = running;
     if (stays) return false;
+    if (p->steady && running && was_running && w->prepared) {
+        p->wall_way = p->wall_step = glide(p, time);
+        return true;
+    }
     part_place was = p->at, moves = part_at(p, velocity_time);
     p->at = part_at(p, time);
     p->at.velocity = moves.velocity, p->at.spin = moves.spin;
-    bool same = v3_norm(v3_sub(p->at.offset, was.offset)) == 0 && p->at.angle == was.angle &&
-                v3_norm(v3_sub(p->at.velocity, was.velocity)) == 0 && p->at.spin == was.spin;
+    bool same = are_same(p->at.offset, was.offset) && p->at.angle == was.angle &&
+                are_same(p->at.velocity, was.velocity) && p->at.spin == was.spin;
     if (same && w->prepared && running == was_running) return false;
+    p->wall_way = p->wall_step = v3_norm(v3_sub(p->at.offset, was.offset));
+    if (!p->turns) return true;
     p->wall_way = part_way(p, &was);
-    p->wall_step =
-        v3_norm(v3_sub(p->at.offset, was.offset)) + fabs(p->at.angle - was.angle) * p->reach;
-    if (p->turns) p->turn = q_matrix(part_turn(p, p->at.angle));
+    p->wall_step += fabs(p->at.angle - was.angle) * p->reach;
+    p->turn = q_matrix(part_turn(p, p->at.angle));
     return true;
 }
 
@@ -213,7 +238,13 @@ static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
 
 void walls_make_rows(clast_world *w) {
     w->wall_rows = memory_grow(w, NULL, 0, (size_t)w->wall_count + 1, sizeof *w->wall_rows);
-    for (int i = 0; i < w->wall_count; i++) fill_row(w, &w->wall_rows[i], &w->walls[i]);
+    w->push_index = memory_grow(w, NULL, 0, (size_t)w->wall_count + 1, sizeof *w->push_index);
+    for (int i = 0; i < w->wall_count; i++) {
+        fill_row(w, &w->wall_rows[i], &w->walls[i]);
+        int part_index = w->walls[i].part;
+        int nobody = w->part_count + i % NOBODYS_ROWS;
+        w->push_index[i] = ever_moves(&w->parts[part_index]) ? part_index : nobody;
+    }
 }
 
 void walls_drop_rows(clast_world *w) {
@@ -239,10 +270,6 @@ static void place_one(clast_world *w, int wall_index) {
     if (w->wall_rows) place_row(w, &w->wall_rows[wall_index], l);
 }
 
-static bool ever_moves(const part *p) {
-    return p->turns || p->shifts;
-}
-
 /* Of a part that moves, those in the lists alone: the others stand where they were last listed. */
 static void place_walls(clast_world *w, const part *p) {
     bool all = !w->prepared || !ever_moves(p);
@@ -254,7 +281,7 @@ static void place_walls(clast_world *w, const part *p) {
 const wall *wall_now(const clast_world *w, int wall_index, wall *room) {
     const wall *l = &w->walls[wall_index];
     const part *p = &w->parts[l->part];
-    if (!ever_moves(p)) return l;
+    if (!ever_moves(p) || l->near) return l;
     *room = *l;
     place_wall(room, p);
     return room;

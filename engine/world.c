@@ -104,7 +104,7 @@ static void free_scene(clast_world *w) {
     parts_free(w);
     for (int i = 0; i < w->wall_count; i++) free(w->walls[i].name), free(w->walls[i].patch.corner);
     free(w->materials), free(w->shapes), free(w->walls), free(w->coefs);
-    free(w->wall_rows);
+    free(w->wall_rows), free(w->push_index);
 }
 
 void clast_world_free(clast_world *w) {

@@ -102,6 +102,7 @@ void walls_move_to(clast_world *w, double time);
 const wall *wall_now(const clast_world *w, int wall_index, wall *room);
 void walls_list_near(clast_world *w);
 bool wall_pushes(const clast_world *w, const wall *l);
+bool wall_drives(const clast_world *w, const wall *l);
 
 /* wall_tree.c: which walls are where */
 void walls_plant(clast_world *w);
@@ -114,6 +115,7 @@ size_t entry_number_size(const clast_world *w);
 void entry_reserve(clast_world *w, contact_list *l, size_t count);
 void entry_push(clast_world *w, contact_list *l, int32_t a, int32_t b, const history *h);
 void entry_clear(clast_world *w, contact_list *l, size_t k);
+void entries_clear_behind(clast_world *w, contact_list *l);
 void entry_clear_spring(clast_world *w, contact_list *l, size_t k);
 void entry_turn(clast_world *w, contact_list *l, size_t k);
 void entry_move(const clast_world *w, contact_list *l, size_t to, size_t from, size_t n);

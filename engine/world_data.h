@@ -176,6 +176,17 @@ typedef struct part_sums {
     exact_sum force[3], moment, belt;
 } part_sums;
 
+/* The forces of the walls of a part, quanta of the loads: sums of the lower and of the upper halves
+ * of each force and PUSH_OFFSET, which have room for a thousand million of them. [3] counts: it is
+ * that of no force. */
+typedef struct push_row {
+    uint64_t low[4], high[4];
+} push_row;
+#define PUSH_OFFSET INT64_C(0x4000000000000000)
+
+/* For walls of parts that stay: contacts of two walls do not wait for each other. */
+enum { NOBODYS_ROWS = 4 };
+
 /* Boxes around the plates and patches of a part, where they stand at t = 0 (wall_tree.c). */
 typedef struct wall_tree {
     int walls, leaves;  /* leaves: a power of two */
@@ -190,6 +201,7 @@ typedef struct part {
     clast_part_def def;
     bool present, running;
     bool turns, shifts; /* ever */
+    bool steady;        /* moves by its velocity alone, if at all */
     vec3 axis;          /* unit */
     mat3 turn;          /* now, of a part that turns */
     part_place at;      /* now; velocities at the time that those of the bodies are of */
@@ -228,6 +240,7 @@ typedef struct wall {
     vec3 point;          /* likewise */
     vec3 belt;           /* m/s, likewise */
     bool pushes;         /* its part moves or it has a belt: its work is booked */
+    bool drives;         /* its part turns or it has a belt */
     bool near;           /* in the near ones of its part */
     double bound;        /* m, plate, patch: radius about the point that holds it all */
     vec3 half_box;       /* m, of the box about the point, likewise */
@@ -360,6 +373,7 @@ typedef struct share {
     body_tally body_tally;
     double way_reach[2], way_contacts[2]; /* m, the two longest, measured by way.c */
     part_sums *pushes;                    /* per part */
+    push_row *push_rows;                  /* per part, and NOBODYS_ROWS */
     contact_report *report, *wall_report; /* when asked for, per contact */
     bool across; /* pairs of own bodies and ghosts that their own process books (ranks.h) */
 } share;
@@ -420,6 +434,7 @@ typedef struct speciality {
     bool shared;   /* clumps, whose dashpots are shared */
     bool turning;  /* some part turns */
     bool pushing;  /* some part moves or has a belt */
+    bool driving;  /* some part turns or has a belt */
     bool facets;   /* walls that may hide each other */
 } speciality;
 
@@ -475,6 +490,7 @@ struct clast_world {
     part *parts;
     wall *walls;
     wall_row *wall_rows; /* once prepared */
+    int32_t *push_index; /* likewise: the row of a wall in push_rows */
     pair_coef *coefs;    /* material_count squared */
     int material_count, shape_count, part_count, wall_count, wall_room;
 
@@ -485,9 +501,9 @@ struct clast_world {
     size_t sphere_count;
     load_scale load_scale;
     share *shares; /* one per thread, and in a shared world one more for pairs booked elsewhere */
-    int threads, lists; /* lists: shares in use */
-    int share_room;     /* shares in all */
-    struct ranks *ranks; /* NULL in a world that one process has for itself */
+    int threads, lists;           /* lists: shares in use */
+    int share_room;               /* shares in all */
+    struct ranks *ranks;          /* NULL in a world that one process has for itself */
     size_t ghosts, ghost_spheres; /* bodies of other processes: slots from bodies.count on */
     size_t arrived;               /* bodies of feeds behind the ghosts, until the next rebuild */
     double *pass_record;          /* what a contact pass found, to be added up */
@@ -517,7 +533,8 @@ struct clast_world {
         contact_dt; /* s, step that the springs of the current evaluation have been loaded over */
     body_tally found;
     part_sums *push_room;
-    sum_scale force_scale, moment_scale, belt_scale; /* of what parts do to bodies */
+    push_row *push_row_room;
+    sum_scale moment_scale, belt_scale; /* of what parts do to bodies */
     ledger ledger;
 
     struct { /* synchronised velocities and centres for readers */
@@ -532,7 +549,7 @@ struct clast_world {
         cell_grid grid;
         uint32_t *cell_first;
         size_t cell_capacity;
-        size_t bodies; /* that were sorted: the first so many slots */
+        size_t bodies;         /* that were sorted: the first so many slots */
         uint32_t *ghost_first; /* the same of ghosts, as slots */
         size_t ghost_capacity;
     } cells;
