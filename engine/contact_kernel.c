@@ -142,7 +142,7 @@ LANE_INLINE void load_pair(batch *b, int i, side sa, side sb, law_need need) {
 
 #ifdef LANE_ROWS
 LANE_INLINE void load_four(batch *b, int i, const side *sa, const side *sb, law_need need) {
-    rows4 d[4], v[4], wa[4], wb[4], oa[4], ob[4];
+    rows4 d[4], v[4], wa[4], wb[4], oa[4] = {{0}}, ob[4] = {{0}};
     for (int k = 0; k < 4; k++) {
         d[k] = row_at(sa[k].centre) - row_at(sb[k].centre);
         v[k] = row_at(sa[k].v) - row_at(sb[k].v);
@@ -226,7 +226,7 @@ LANE_INLINE void load_spheres(pass *p, size_t begin, int count, int padded, law_
 LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
                                  int count, law_need need) {
     const row_store *r = &p->w->rows;
-    rows4 d[4], dt[4], v[4], wa[4], oa[4], row[5][4];
+    rows4 d[4], dt[4], v[4], wa[4], oa[4] = {{0}}, row[5][4];
     for (int k = 0; k < 4; k++) {
         int at = lane_or_last(i + k, count);
         size_t sphere = (size_t)spheres[at];
