@@ -248,9 +248,10 @@ void walls_make_rows(clast_world *w) {
 }
 
 void walls_drop_rows(clast_world *w) {
-    memory_return(w, ((size_t)w->wall_count + 1) * sizeof *w->wall_rows);
-    memory_release(w->wall_rows);
-    w->wall_rows = NULL;
+    size_t size = sizeof *w->wall_rows + sizeof *w->push_index;
+    memory_return(w, ((size_t)w->wall_count + 1) * size);
+    memory_release(w->wall_rows), memory_release(w->push_index);
+    w->wall_rows = NULL, w->push_index = NULL;
 }
 
 /* Walls stand in the frame of their part. */
