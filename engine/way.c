@@ -129,9 +129,10 @@ static void measure(clast_world *w, bool reach) {
     replace(reach ? &w->way.reach : &w->way.contacts, most);
 }
 
-/* Where a list would be stale soon again, it is made now: looking costs something as well. */
-static bool is_worn(const way_bound *b, double share_of_room) {
-    return asks(b->bound, share_of_room);
+/* Where a list would be stale soon again, it is made now: looking costs something as well, if less
+ * beside a reach list, which is dear and lasts. */
+static bool is_worn(const way_bound *b, double room, double share) {
+    return asks(b->bound, share * room);
 }
 
 static void add(way_bound *b, double bodies, double walls) {
@@ -157,8 +158,8 @@ way_verdict way_judge(clast_world *w) {
         return (way_verdict){reach, contacts};
     if (reach && o->knows_reach) measure(w, true);
     if (contacts) measure(w, false);
-    return (way_verdict){reach && is_worn(&o->reach, 0.95 * w->skin),
-                         is_worn(&o->contacts, 0.8 * w->margin)};
+    return (way_verdict){reach && is_worn(&o->reach, w->skin, 0.95),
+                         is_worn(&o->contacts, w->margin, 0.8)};
 }
 
 void way_restart(clast_world *w, bool reach) {
