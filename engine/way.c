@@ -131,8 +131,8 @@ static void measure(clast_world *w, bool reach) {
 
 /* Where a list would be stale soon again, it is made now: looking costs something as well, if less
  * beside a reach list, which is dear and lasts. */
-static bool is_worn(const way_bound *b, double room, double share) {
-    return asks(b->bound, share * room);
+static bool is_worn(const way_bound *b, double room, double most) {
+    return asks(b->bound, most * room);
 }
 
 static void add(way_bound *b, double bodies, double walls) {
