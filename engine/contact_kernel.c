@@ -4,6 +4,7 @@
  * the bits are the same for all instruction sets. */
 #include "engine/column_lanes.h"
 #include "engine/part.h"
+#include "engine/pair_lanes.h"
 #include "engine/periodic_lanes.h"
 #include "engine/settle_lanes.h"
 #include "engine/shared_lanes.h"
@@ -99,64 +100,7 @@ static void fill_constants(pass *p) {
 
 /* ---- rows into columns ----------------------------------------------------------------------- */
 
-/* Lanes behind the last contact repeat it, and are told apart from it by their overlap. */
-LANE_INLINE int lane_or_last(int i, int count) {
-    return i < count ? i : count - 1;
-}
-
-/* Where the numbers of one sphere stand. */
-typedef struct side {
-    const double *centre, *v, *w, *arm;
-} side;
-
-LANE_INLINE side side_of(const row_store *r, int32_t sphere, law_need need) {
-    size_t s = (size_t)sphere, body = need.clumps ? (size_t)r->arm[s].body : s;
-    const motion_row *m = &r->motion[body];
-    return (side){&r->centre[s].x, m->v, m->w, need.clumps ? r->arm[s].arm : NULL};
-}
-
-LANE_INLINE void load_vector(real (*to)[LANES], int i, const double *from, law_need need) {
-    to[0][i] = (real)from[0], to[1][i] = (real)from[1];
-    if (!need.flat) to[2][i] = (real)from[2];
-}
-
-LANE_INLINE void load_spin(real (*to)[LANES], int i, const double *w, law_need need) {
-    if (!need.flat) to[0][i] = (real)w[0], to[1][i] = (real)w[1];
-    to[2][i] = (real)w[2];
-}
-
-LANE_INLINE void load_pair(batch *b, int i, side sa, side sb, law_need need) {
-    for (int k = 0; k < (need.flat ? 2 : 3); k++) {
-        b->d[k][i] = sa.centre[k] - sb.centre[k];
-        b->v[k][i] = (real)(sa.v[k] - sb.v[k]);
-    }
-    if (need.equal) {
-        double sum[3] = {sa.w[0] + sb.w[0], sa.w[1] + sb.w[1], sa.w[2] + sb.w[2]};
-        load_spin(b->wa, i, sum, need);
-        return;
-    }
-    load_spin(b->wa, i, sa.w, need), load_spin(b->wb, i, sb.w, need);
-    if (!need.clumps) return;
-    load_vector(b->oa, i, sa.arm, need), load_vector(b->ob, i, sb.arm, need);
-}
-
 #ifdef LANE_ROWS
-LANE_INLINE void load_four(batch *b, int i, const side *sa, const side *sb, law_need need) {
-    rows4 d[4], v[4], wa[4], wb[4], oa[4] = {{0}}, ob[4] = {{0}};
-    for (int k = 0; k < 4; k++) {
-        d[k] = row_at(sa[k].centre) - row_at(sb[k].centre);
-        v[k] = row_at(sa[k].v) - row_at(sb[k].v);
-        wa[k] = row_at(sa[k].w), wb[k] = row_at(sb[k].w);
-        if (need.equal) wa[k] += wb[k];
-        if (need.clumps) oa[k] = row_at(sa[k].arm), ob[k] = row_at(sb[k].arm);
-    }
-    put_places(b->d, i, d, need);
-    put_vector(b->v, i, v, need);
-    put_spin(b->wa, i, wa, need);
-    if (!need.equal) put_spin(b->wb, i, wb, need);
-    if (need.clumps) put_vector(b->oa, i, oa, need), put_vector(b->ob, i, ob, need);
-}
-
 LANE_INLINE void load_pairs(pass *p, const int32_t *a, const int32_t *b, int count, int padded,
                             law_need need) {
     const row_store *r = &p->w->rows;
@@ -572,24 +516,31 @@ LANE_INLINE push_row *push_row_of(const pass *p, size_t at) {
 }
 
 #ifdef LANE_ROWS
-LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+/* `count` of the four contacts from lane i on. */
+LANE_INLINE void scatter_four(pass *p, size_t begin, int i, int count, law_need need) {
     bool turns = need.tangent || need.clumps;
-    for (int i = 0; i < count; i += 4) {
-        whole4 f[4], ta[4], tb[4];
-        force_rows(f, p->force, i, need);
-        if (turns) torque_rows(ta, p->ta, i, need);
-        if (turns && !need.equal) torque_rows(tb, p->tb, i, need);
-        for (int k = 0; k < 4; k++) {
-            if (i + k >= count) break;
-            load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
-            add4(rows.a->force, f[k]);
-            if (turns) add4(rows.a->torque, ta[k]);
+    whole4 f[4], ta[4], tb[4];
+    force_rows(f, p->force, i, need);
+    if (turns) torque_rows(ta, p->ta, i, need);
+    if (turns && !need.equal) torque_rows(tb, p->tb, i, need);
+    for (int k = 0; k < 4; k++) {
+        if (k >= count) break;
+        load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
+        add4(rows.a->force, f[k]);
+        if (turns) add4(rows.a->torque, ta[k]);
+        if (!rows.b) {
             if (p->pushing) add_push(push_row_of(p, begin + (size_t)(i + k)), f[k]);
-            if (!rows.b) continue;
-            add4(rows.b->force, -f[k]);
-            if (turns) add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
+            continue;
         }
+        add4(rows.b->force, -f[k]);
+        if (turns) add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
     }
+}
+
+LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+    int i = 0;
+    for (; i + 4 <= count; i += 4) scatter_four(p, begin, i, 4, need);
+    if (i < count) scatter_four(p, begin, i, count - i, need);
 }
 #else
 LANE_INLINE void add_push(push_row *row, const pass *p, int i, law_need need) {
