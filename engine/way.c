@@ -82,33 +82,30 @@ static void note(double most[2], double x) {
     most[0] = first ? x : most[0];
 }
 
-/* Since the reach list was made, or the contact list. */
-static void measure_list(clast_world *w, int thread, bool reach) {
+static void measure_share(void *context, int thread) {
+    clast_world *w = context;
     share *s = &w->shares[thread];
-    double most[2] = {0, 0}, size = 0, *to = reach ? s->way_reach : s->way_contacts;
+    double reach[2] = {0, 0}, contacts[2] = {0, 0}, size = 0;
     for (size_t i = s->sphere_begin; i < end_of(w, thread); i++) {
         const centre_row *c = &w->rows.centre[i];
         const kept_place *p = &w->way.places[i];
-        note(most, squared(&w->kernel_period, reach ? p->reach : p->contacts, c));
+        note(reach, squared(&w->kernel_period, p->reach, c));
+        note(contacts, squared(&w->kernel_period, p->contacts, c));
         size = larger(fabs(c->x) + fabs(c->y) + fabs(c->z), size);
     }
-    for (int k = 0; k < 2; k++) to[k] = sqrt(most[k]) + ROUNDED * size;
-}
-
-static void measure_reach(void *context, int thread) {
-    measure_list(context, thread, true);
-}
-
-static void measure_contacts(void *context, int thread) {
-    measure_list(context, thread, false);
+    for (int k = 0; k < 2; k++) {
+        s->way_reach[k] = sqrt(reach[k]) + ROUNDED * size;
+        s->way_contacts[k] = sqrt(contacts[k]) + ROUNDED * size;
+    }
 }
 
 /* The longest of all processes stands for the second as well: a sphere and its ghosts are measured
  * more than once, and its partner may be anywhere. */
-static void agree(clast_world *w, double most[2]) {
+static void agree(clast_world *w, double reach[2], double contacts[2]) {
+    double most[2] = {reach[0], contacts[0]};
     if (!w->ranks) return;
-    ranks_reduce(w, most, 1, 0);
-    most[1] = most[0];
+    ranks_reduce(w, most, 2, 0);
+    reach[0] = reach[1] = most[0], contacts[0] = contacts[1] = most[1];
 }
 
 /* Two spheres have come nearer by no more than the two longest ways, a sphere and a wall by no more
@@ -118,21 +115,22 @@ static void replace(way_bound *b, const double most[2]) {
     if (way < b->bound) b->bound = way;
 }
 
-static void measure(clast_world *w, bool reach) {
-    parallel_run(w->threads, reach ? measure_reach : measure_contacts, w);
-    double most[2] = {0, 0};
-    for (int t = 0; t < w->threads; t++) {
-        const share *s = &w->shares[t];
-        for (int k = 0; k < 2; k++) note(most, reach ? s->way_reach[k] : s->way_contacts[k]);
-    }
-    agree(w, most);
-    replace(reach ? &w->way.reach : &w->way.contacts, most);
+static void measure(clast_world *w) {
+    parallel_run(w->threads, measure_share, w);
+    double reach[2] = {0, 0}, contacts[2] = {0, 0};
+    for (int t = 0; t < w->threads; t++)
+        for (int k = 0; k < 2; k++) {
+            note(reach, w->shares[t].way_reach[k]);
+            note(contacts, w->shares[t].way_contacts[k]);
+        }
+    agree(w, reach, contacts);
+    if (w->way.knows_reach) replace(&w->way.reach, reach);
+    replace(&w->way.contacts, contacts);
 }
 
-/* Where a list would be stale soon again, it is made now: looking costs something as well, if less
- * beside a reach list, which is dear and lasts. */
-static bool is_worn(const way_bound *b, double room, double most) {
-    return asks(b->bound, most * room);
+/* Where a list would be stale soon again, it is made now: looking costs something as well. */
+static bool is_worn(const way_bound *b, double room) {
+    return asks(b->bound, 0.8 * room);
 }
 
 static void add(way_bound *b, double bodies, double walls) {
@@ -156,10 +154,8 @@ way_verdict way_judge(clast_world *w) {
     bool reach = asks(o->reach.bound, w->skin), contacts = asks(o->contacts.bound, w->margin);
     if (!(reach || contacts) || !o->knows_contacts || !is_measurable(w))
         return (way_verdict){reach, contacts};
-    if (reach && o->knows_reach) measure(w, true);
-    if (contacts) measure(w, false);
-    return (way_verdict){reach && is_worn(&o->reach, w->skin, 0.95),
-                         is_worn(&o->contacts, w->margin, 0.8)};
+    measure(w);
+    return (way_verdict){reach && is_worn(&o->reach, w->skin), is_worn(&o->contacts, w->margin)};
 }
 
 void way_restart(clast_world *w, bool reach) {
