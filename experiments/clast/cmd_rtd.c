@@ -9,6 +9,7 @@
 static const char HELP[] =
     "usage: clast rtd RUN [--sampling TIME] [--out FOLDER] [--from TIME] [--until TIME]\n"
     "                     [--feed NAME] [--outlet NAME] [--seed N] [--resamples N]\n"
+    "                     [--footprint AREA --bulk-density DENSITY]\n"
     "\n"
     "Residence time distribution of a run whose scene has feeds and outlets: E(t), F(t), mean,\n"
     "variance, skewness, Peclet number, tanks in series, each with its 95 % interval; hold-up, "
@@ -26,6 +27,11 @@ static const char HELP[] =
     "  --outlet NAME      that left by this outlet alone; of several, all must have left\n"
     "  --seed N           of the resampling behind the intervals (default 1)\n"
     "  --resamples N      how many (default 1000)\n"
+    "  --footprint AREA, --bulk-density DENSITY\n"
+    "                     length x width of the bed, and what it weighs per volume: the height of "
+    "the "
+    "bed\n"
+    "                     as well, from residence time and from hold-up\n"
     "\n"
     "example: clast rtd build/forward --sampling 1min --out build/forward-rtd\n"
     "exit code: 0, 1 too few bodies have left, --outlet while some are inside, or mass is lost, 2 "
@@ -33,7 +39,7 @@ static const char HELP[] =
     "written\n";
 
 typedef struct arguments {
-    const char *run, *sampling, *out, *from, *until, *feed, *outlet;
+    const char *run, *sampling, *out, *from, *until, *feed, *outlet, *footprint, *bulk_density;
     int seed, resamples;
 } arguments;
 
@@ -47,6 +53,8 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
         {"--outlet", OPTION_TEXT, &a->outlet, NULL},
         {"--seed", OPTION_COUNT, &a->seed, NULL},
         {"--resamples", OPTION_COUNT, &a->resamples, NULL},
+        {"--footprint", OPTION_TEXT, &a->footprint, NULL},
+        {"--bulk-density", OPTION_TEXT, &a->bulk_density, NULL},
     };
     int found =
         options_read("rtd", argc, argv, options, sizeof options / sizeof *options, &a->run, 1);
@@ -54,19 +62,35 @@ static bool read_arguments(int argc, char **argv, arguments *a) {
     return found == 1;
 }
 
-/* False after a message; text NULL leaves *seconds alone. */
-static bool read_time(const char *name, const char *text, double *seconds) {
+/* False after a message; text NULL leaves *si alone. */
+static bool read_quantity(const char *name, const char *text, unit_kind kind, const char *like,
+                          double *si) {
     char why[UNIT_TEXT] = "";
     unit_value v;
     if (!text) return true;
     bool good = unit_parse(text, NULL, &v, why);
-    if (good && (v.bare || unit_same(v.dimension, unit_kind_dimension(UNIT_TIME))) && v.value > 0) {
-        *seconds = v.value;
+    if (good && (v.bare || unit_same(v.dimension, unit_kind_dimension(kind))) && v.value > 0) {
+        *si = v.value;
         return true;
     }
-    fprintf(stderr, "clast rtd: %s %s: expected a time above zero, such as 3min or 90s%s%s\n", name,
-            text, *why ? ": " : "", why);
+    fprintf(stderr, "clast rtd: %s %s: expected %s%s%s\n", name, text, like, *why ? ": " : "", why);
     return false;
+}
+
+static bool read_time(const char *name, const char *text, double *seconds) {
+    return read_quantity(name, text, UNIT_TIME, "a time above zero, such as 3min or 90s", seconds);
+}
+
+static bool read_bed(const arguments *a, rtd_options *o) {
+    if (!a->footprint != !a->bulk_density) {
+        fprintf(stderr, "clast rtd: found %s alone, expected --footprint and --bulk-density\n",
+                a->footprint ? "--footprint" : "--bulk-density");
+        return false;
+    }
+    return read_quantity("--footprint", a->footprint, UNIT_AREA,
+                         "an area above zero, such as 210cm2", &o->footprint) &&
+           read_quantity("--bulk-density", a->bulk_density, UNIT_DENSITY,
+                         "a density above zero, such as 350kg/m3", &o->bulk_density);
 }
 
 /* What makes the numbers doubtful, on stderr; the exit code that it gives. */
@@ -121,7 +145,8 @@ int cmd_rtd(int argc, char **argv) {
     rtd_options o = {
         .feed = a.feed, .outlet = a.outlet, .seed = (uint64_t)a.seed, .resamples = a.resamples};
     if (!read_time("--sampling", a.sampling, &o.sampling) ||
-        !read_time("--from", a.from, &o.from) || !read_time("--until", a.until, &o.until))
+        !read_time("--from", a.from, &o.from) || !read_time("--until", a.until, &o.until) ||
+        !read_bed(&a, &o))
         return CLAST_EXIT_USAGE;
     return analyse(&a, &o);
 }

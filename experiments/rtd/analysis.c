@@ -297,6 +297,19 @@ static void take_little(rtd *r) {
     r->little = (interval){little, error * sqrt(n), gsl_cdf_tdist_Pinv(0.975, n - 1) * error, n};
 }
 
+static interval times(double factor, const interval *x) {
+    return (interval){factor * x->mean, factor * x->sd, factor * x->half, x->n};
+}
+
+/* S12 4.1: bulk density = feed x mean residence time over length, width and height. */
+static void take_heights(rtd *r) {
+    double per_kg = (double)NAN;
+    if (r->options.footprint > 0 && r->options.bulk_density > 0)
+        per_kg = 1 / (r->options.footprint * r->options.bulk_density);
+    r->height_fed = times(per_kg * r->feed, &r->of[RTD_MEAN]);
+    r->height_held = times(per_kg, &r->holdup);
+}
+
 static void take_holdup(rtd *r, const passages *p) {
     double fed = 0, span = r->until - r->from;
     for (size_t i = 0; i < r->tracers; i++) fed += r->items[i].mass;
@@ -309,6 +322,7 @@ static void take_holdup(rtd *r, const passages *p) {
         part[k] = mean_inside(p, r->from + span * k / batches, r->from + span * (k + 1) / batches);
     r->holdup = mean_interval(part, batches);
     take_little(r);
+    take_heights(r);
 }
 
 /* ---- the whole ------------------------------------------------------------------------------- */

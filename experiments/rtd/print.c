@@ -54,6 +54,10 @@ void rtd_print(const rtd *r, FILE *to) {
     line(to, "hold-up", "kg", &r->holdup);
     fprintf(to, "  %-52s %.6g kg/s\n", "feed", r->feed);
     line(to, "feed x mean residence time over hold-up (S12 4.1)", "", &r->little);
+    if (isfinite(r->height_held.mean)) {
+        line(to, "bed height from the residence time (S12 4.1)", "m", &r->height_fed);
+        line(to, "bed height from the hold-up", "m", &r->height_held);
+    }
     if (isfinite(r->balance))
         fprintf(to, "  %-52s %.3g kg\n", "mass in less out less inside, whole run", r->balance);
     else
@@ -76,6 +80,10 @@ static int write_numbers(const rtd *r, const char *folder) {
     fprintf(f, "hold-up,kg,%.9g,%.4g\nfeed,kg/s,%.9g,\n", r->holdup.mean, r->holdup.half, r->feed);
     fprintf(f, "feed x mean residence time over hold-up,,%.9g,%.4g\n", r->little.mean,
             r->little.half);
+    fprintf(f, "bed height from the residence time,m,%.9g,%.4g\n", r->height_fed.mean,
+            r->height_fed.half);
+    fprintf(f, "bed height from the hold-up,m,%.9g,%.4g\n", r->height_held.mean,
+            r->height_held.half);
     fprintf(f, "mass in less out less inside,kg,%.9g,\n", r->balance);
     fprintf(f, "\"left the domain, by no outlet\",,%zu,\n", r->strays);
     fprintf(f, "P of a single peak,,%.4g,\n", r->peaks.p);

@@ -32,6 +32,8 @@ typedef struct rtd_options {
     const char *feed, *outlet; /* names; NULL = all */
     uint64_t seed;             /* of the resampling; 0 = 1 */
     int resamples;             /* 0 = 1000 */
+    double footprint;          /* m2, length x width of the bed; 0 = not known: no bed height */
+    double bulk_density;       /* kg/m3 of the bed; 0 = not known */
 } rtd_options;
 
 /* ---- who came and went ----------------------------------------------------------------------- */
@@ -187,10 +189,13 @@ typedef struct rtd {
     double *density, *density_half; /* 1/s, E in interval j (4.11) */
     rtd_fit tanks, dispersion;      /* least squares, of those that leave */
     rtd_peaks peaks;
-    double feed;     /* kg/s in the window */
-    interval holdup; /* kg, mean over the time of the window; batch means */
-    interval little; /* feed x mean residence time over hold-up (4.1); on the wide side */
-    double balance;  /* kg, strays: of all passages */
+    double feed;          /* kg/s in the window */
+    interval holdup;      /* kg, mean over the time of the window; batch means */
+    interval little;      /* feed x mean residence time over hold-up (4.1); on the wide side */
+    interval height_fed;  /* m, of the bed by (4.1): feed x mean residence time over footprint and
+                             bulk density, which count as exact; NAN where they are not known */
+    interval height_held; /* m, likewise from the hold-up */
+    double balance;       /* kg, strays: of all passages */
     size_t strays;
     tracer *items; /* rising time */
     double *weight;

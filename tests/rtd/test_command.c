@@ -102,6 +102,26 @@ static void a_run_is_analysed(void **state) {
     expect_of_run("--from 20s --outlet side", CLAST_EXIT_RUN_FAILED, "expected at least 20");
 }
 
+/* 66 stones and 64 pebbles in 130 s that stay 50 s each, on 100 cm2 at 1000 kg/m3 (S12 4.1). */
+static void a_bed_has_a_height(void **state) {
+    (void)state;
+    put_run();
+    char *out = text_format("--outlet end --from 20s --until 150s --resamples 2 --out %s/out "
+                            "--footprint 100cm2 --bulk-density 1g/cm3",
+                            folder);
+    expect_of_run(out, CLAST_EXIT_OK, NULL);
+    free(out);
+    char *height = text_format("bed height from the residence time,m,%.9g,",
+                               (66 * 1e-3 + 64 * 5e-4) / 130 * 50 / 10);
+    assert_true(holds("out/rtd.csv", height));
+    assert_true(holds("said", "bed height from the hold-up"));
+    free(height);
+    expect_of_run("--footprint 2cm2", CLAST_EXIT_USAGE, "found --footprint alone, expected");
+    expect_of_run("--footprint 2cm --bulk-density 3kg/m3", CLAST_EXIT_USAGE, "expected an area");
+    expect_of_run("--from 20s --resamples 2", CLAST_EXIT_OK, NULL);
+    assert_false(holds("said", "bed height"));
+}
+
 static void the_first_bed_counts_as_hold_up_alone(void **state) {
     (void)state;
     put_run();
@@ -230,6 +250,7 @@ int main(int argc, char **argv) {
     program = argv[1];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_run_is_analysed),
+        cmocka_unit_test(a_bed_has_a_height),
         cmocka_unit_test(the_first_bed_counts_as_hold_up_alone),
         cmocka_unit_test(mass_is_balanced),
         cmocka_unit_test(strays_are_told),
