@@ -34,8 +34,10 @@ do for [i=1:2] {
         set label 3 'overlap' at screen across(16.1), screen 1 - up(0.5) center tc rgb ink
     }
     inside = sprintf('$13 ~ /^[0-9]/ && 100 * $13 < %g', edge); outside = sprintf('100 * $13 >= %g', edge)
+    # labels without a point end gnuplot 5.4 by a null pointer
+    beyond = system(sprintf("awk -F, '$1 == \"button-hopper\" && $3 == \"%s\" && $18 == 0 && %s { n = 1 } END { print n + 0 }' '%s/points.csv'", quantity[i], outside, data)) + 0
     plot table(quantity[i], inside) using 3:1:4 with xerrorbars pt 6 ps 0.7 lw 1.1 lc rgb ours, \
          table(quantity[i], inside.' && $17 == 1') using 3:1 with points pt 7 ps 0.7 lc rgb ours, \
-         table(quantity[i], outside) using (0.97 * edge):1:(sprintf('%+.0f ± %.0f →', $3, $4)) with labels right font small tc rgb ours
+         for [k=1:beyond] table(quantity[i], outside) using (0.97 * edge):1:(sprintf('%+.0f ± %.0f →', $3, $4)) with labels right font small tc rgb ours
 }
 unset multiplot
