@@ -4,10 +4,17 @@
 #include <string.h>
 
 #include "shapes/check.h"
+#include "shapes/deviation.h"
 #include "shapes/numbers.h"
 #include "shapes/symmetry.h"
 
 enum { SAMPLES = 1500, SEEDS_MESH = 4000, SEEDS_BLOCK = 1500, SEEDS_OUTLINE = 400 };
+
+/* Of a deviation that is asked for: places looked at in one round, seeds beside each, rounds in
+ * vain after which it is given up, and to what part of it these places are filled: those beside
+ * them lie a little farther. */
+enum { PLACES = 64, SEEDS_PLACE = 16, IDLE_ROUNDS = 6 };
+static const double BOUND_PART = 0.98;
 
 typedef struct orbit {
     int first, size; /* in `pool` */
@@ -24,18 +31,29 @@ typedef struct batch {
     double distance; /* m, the largest of its samples */
 } batch;
 
-typedef struct filler {
-    const shape_target *target;
-    const shape_stops *stops;
-    int samples; /* of the part of the surface that the symmetry repeats */
+typedef struct sampling {
+    int count;
     shape_vec *point;
     double *distance; /* m, from the clump so far */
     batch *batches;
+} sampling;
+
+typedef struct filler {
+    const shape_target *target;
+    const shape_stops *stops;
+    sampling at; /* first of the part of the surface that the symmetry repeats */
     shape_sphere *pool; /* spheres of all orbits */
     orbit *orbits;
     int pool_count, pool_room, orbit_count, orbit_room;
+    double smallest; /* m, candidates are larger */
     double inscribed;
 } filler;
+
+typedef struct clump_so_far {
+    shape_sphere *spheres;
+    int *level; /* NULL: not asked for */
+    int count, orbits;
+} clump_so_far;
 
 double shape_density_deviation(double density) {
     SHAPE_ASSERT(density >= 1);
@@ -134,7 +152,7 @@ static shape_sphere between(const filler *f, shape_sphere one, int in_ring) {
 
 /* Returns false where the sphere falls on the axis: there all groups give the same. */
 static bool add_images(filler *f, shape_symmetry *s, shape_sphere one) {
-    double least = fmax(f->stops->smallest, 1e-4 * f->target->size);
+    double least = fmax(f->smallest, 1e-4 * f->target->size);
     snap(f->target, s, &one);
     f->inscribed = fmax(f->inscribed, one.radius);
     if (!(one.radius > least)) return true;
@@ -146,7 +164,7 @@ static void add_candidate(filler *f, shape_vec p, shape_vec normal, shape_symmet
                           int group_count) {
     shape_sphere raw = touching_sphere(f->target, p, normal);
     f->inscribed = fmax(f->inscribed, raw.radius);
-    if (!(raw.radius > f->stops->smallest)) return;
+    if (!(raw.radius > f->smallest)) return;
     for (int g = 0; g < group_count; g++) {
         bool rings = group_count > 1;
         if (!add_images(f, &groups[g], raw) && rings) break;
@@ -154,19 +172,24 @@ static void add_candidate(filler *f, shape_vec p, shape_vec normal, shape_symmet
     }
 }
 
+static shape_symmetry *groups_of(const shape_target *t, int *count) {
+    shape_symmetry *groups = malloc(SYMMETRY_RINGS * sizeof *groups);
+    SHAPE_ASSERT(groups);
+    *count = 0;
+    while (*count < SYMMETRY_RINGS && shape_symmetry_of(t, *count, &groups[*count])) ++*count;
+    return groups;
+}
+
 static void find_candidates(filler *f) {
-    int axis, group_count = 0;
+    int axis, group_count;
     bool turns = shape_has_axis(f->target, &axis);
     int seeds = turns                                  ? SEEDS_OUTLINE
                 : f->target->source == SHAPE_FROM_MESH ? SEEDS_MESH
                                                        : SEEDS_BLOCK;
     shape_vec *point = malloc((size_t)seeds * sizeof *point);
     shape_vec *normal = malloc((size_t)seeds * sizeof *normal);
-    shape_symmetry *groups = malloc(SYMMETRY_RINGS * sizeof *groups);
-    SHAPE_ASSERT(point && normal && groups);
-    while (group_count < SYMMETRY_RINGS &&
-           shape_symmetry_of(f->target, group_count, &groups[group_count]))
-        group_count++;
+    shape_symmetry *groups = groups_of(f->target, &group_count);
+    SHAPE_ASSERT(point && normal);
     shape_target_samples(f->target, seeds, point, normal);
     for (int i = 0; i < seeds; i++) {
         if (turns) {
@@ -189,19 +212,19 @@ static double outside(shape_sphere one, shape_vec p) {
 
 /* What the orbit gains of one batch. */
 static double batch_gain(const filler *f, const orbit *o, int which) {
-    const batch *b = &f->batches[which];
+    const batch *b = &f->at.batches[which];
     double nearest[BATCH], gain = 0;
-    int first = which * BATCH, count = f->samples - first < BATCH ? f->samples - first : BATCH;
+    int first = which * BATCH, count = f->at.count - first < BATCH ? f->at.count - first : BATCH;
     bool met = false;
     for (int i = 0; i < o->size; i++) {
         shape_sphere one = f->pool[o->first + i];
         shape_vec way = sv_sub(b->middle, one.centre);
         double far = one.radius + b->distance + b->radius;
         if (sv_dot(way, way) >= far * far) continue;
-        if (!met) memcpy(nearest, f->distance + first, (size_t)count * sizeof *nearest);
+        if (!met) memcpy(nearest, f->at.distance + first, (size_t)count * sizeof *nearest);
         met = true;
         for (int s = 0; s < count; s++) {
-            shape_vec arm = sv_sub(f->point[first + s], one.centre);
+            shape_vec arm = sv_sub(f->at.point[first + s], one.centre);
             double reach = one.radius + nearest[s], square = sv_dot(arm, arm);
             if (square >= reach * reach) continue;
             double d = sqrt(square) - one.radius;
@@ -209,12 +232,12 @@ static double batch_gain(const filler *f, const orbit *o, int which) {
         }
     }
     for (int s = 0; s < count && met; s++)
-        gain += (f->distance[first + s] - nearest[s]) * (f->distance[first + s] + nearest[s]);
+        gain += (f->at.distance[first + s] - nearest[s]) * (f->at.distance[first + s] + nearest[s]);
     return gain;
 }
 
 static int batch_count(const filler *f) {
-    return (f->samples + BATCH - 1) / BATCH;
+    return (f->at.count + BATCH - 1) / BATCH;
 }
 
 static double gain_of(const filler *f, const orbit *o) {
@@ -246,9 +269,9 @@ static orbit *best_orbit(filler *f, int room) {
 
 static void measure_batches(filler *f) {
     for (int b = 0; b < batch_count(f); b++) {
-        f->batches[b].distance = 0;
-        for (int s = b * BATCH; s < (b + 1) * BATCH && s < f->samples; s++)
-            f->batches[b].distance = fmax(f->batches[b].distance, f->distance[s]);
+        f->at.batches[b].distance = 0;
+        for (int s = b * BATCH; s < (b + 1) * BATCH && s < f->at.count; s++)
+            f->at.batches[b].distance = fmax(f->at.batches[b].distance, f->at.distance[s]);
     }
 }
 
@@ -265,33 +288,40 @@ static orbit *first_orbit(filler *f, int room) {
     return best;
 }
 
+static void come_near(sampling *at, const shape_sphere *spheres, int count) {
+    for (int s = 0; s < at->count; s++)
+        for (int i = 0; i < count; i++)
+            at->distance[s] = fmin(at->distance[s], outside(spheres[i], at->point[s]));
+}
+
 static void take(filler *f, orbit *o, shape_sphere *to) {
     memcpy(to, &f->pool[o->first], (size_t)o->size * sizeof *to);
-    for (int s = 0; s < f->samples; s++)
-        for (int i = 0; i < o->size; i++)
-            f->distance[s] = fmin(f->distance[s], outside(to[i], f->point[s]));
+    come_near(&f->at, to, o->size);
     measure_batches(f);
     o->bound = 0;
 }
 
 static double mean_distance(const filler *f) {
     double sum = 0;
-    for (int s = 0; s < f->samples; s++) sum += f->distance[s];
-    return sum / f->samples;
+    for (int s = 0; s < f->at.count; s++) sum += f->at.distance[s];
+    return sum / f->at.count;
 }
 
 static double largest_distance(const filler *f) {
     double largest = 0;
-    for (int s = 0; s < f->samples; s++) largest = fmax(largest, f->distance[s]);
+    for (int s = 0; s < f->at.count; s++) largest = fmax(largest, f->at.distance[s]);
     return largest;
 }
 
-static bool is_met(const filler *f) {
-    const shape_stops *stop = f->stops;
-    if (stop->density >= 1 &&
-        mean_distance(f) <= shape_density_deviation(stop->density) * f->inscribed)
-        return true;
-    return stop->deviation > 0 && largest_distance(f) <= stop->deviation;
+static bool is_dense(const filler *f) {
+    double density = f->stops->density;
+    return density >= 1 && mean_distance(f) <= shape_density_deviation(density) * f->inscribed;
+}
+
+/* At the samples alone where a deviation is asked for. */
+static bool seems_met(const filler *f) {
+    double deviation = f->stops->deviation;
+    return is_dense(f) || (deviation > 0 && largest_distance(f) <= deviation);
 }
 
 /* The density whose row would have this mean distance, by halving. */
@@ -311,45 +341,57 @@ static void take_samples(filler *f) {
     SHAPE_ASSERT(common);
     shape_common_symmetry(f->target, common);
     int all = SAMPLES * common->count;
-    f->point = malloc((size_t)all * sizeof *f->point);
-    f->distance = malloc((size_t)all * sizeof *f->distance);
+    sampling *at = &f->at;
+    at->point = malloc((size_t)all * sizeof *at->point);
+    at->distance = malloc((size_t)all * sizeof *at->distance);
     shape_vec *normal = malloc((size_t)all * sizeof *normal);
-    SHAPE_ASSERT(f->point && f->distance && normal);
-    shape_target_samples(f->target, all, f->point, normal);
+    SHAPE_ASSERT(at->point && at->distance && normal);
+    shape_target_samples(f->target, all, at->point, normal);
     for (int i = 0; i < all; i++)
-        if (shape_in_first_part(common, f->point[i])) f->point[f->samples++] = f->point[i];
-    SHAPE_ASSERT(f->samples > 0);
-    for (int s = 0; s < f->samples; s++) f->distance[s] = f->target->size;
+        if (shape_in_first_part(common, at->point[i])) at->point[at->count++] = at->point[i];
+    SHAPE_ASSERT(at->count > 0);
+    for (int s = 0; s < at->count; s++) at->distance[s] = f->target->size;
     free(normal), free(common);
 }
 
 static void make_batches(filler *f) {
-    f->batches = calloc((size_t)batch_count(f), sizeof *f->batches);
-    SHAPE_ASSERT(f->batches);
+    f->at.batches = calloc((size_t)batch_count(f), sizeof *f->at.batches);
+    SHAPE_ASSERT(f->at.batches);
     for (int b = 0; b < batch_count(f); b++) {
-        int first = b * BATCH, end = first + BATCH < f->samples ? first + BATCH : f->samples;
-        batch *one = &f->batches[b];
+        int first = b * BATCH, end = first + BATCH < f->at.count ? first + BATCH : f->at.count;
+        batch *one = &f->at.batches[b];
         for (int s = first; s < end; s++)
-            one->middle = sv_along(one->middle, 1.0 / (end - first), f->point[s]);
+            one->middle = sv_along(one->middle, 1.0 / (end - first), f->at.point[s]);
         for (int s = first; s < end; s++)
-            one->radius = fmax(one->radius, sv_distance(f->point[s], one->middle));
+            one->radius = fmax(one->radius, sv_distance(f->at.point[s], one->middle));
     }
     measure_batches(f);
 }
 
+static void free_sampling(sampling *at) {
+    free(at->point), free(at->distance), free(at->batches);
+}
+
 static void begin(filler *f, const shape_target *target, const shape_stops *stops) {
-    *f = (filler){.target = target, .stops = stops};
+    *f = (filler){.target = target, .stops = stops, .smallest = stops->smallest};
     take_samples(f);
     make_batches(f);
 }
 
-static shape_filling finish(filler *f, int count) {
+static bool is_met(const filler *f, const shape_sphere *spheres, int count) {
+    shape_vec place;
+    if (count == 0 || !seems_met(f)) return false;
+    return is_dense(f) ||
+           !shape_places_beyond(f->target, spheres, count, f->stops->deviation, &place, 1);
+}
+
+static shape_filling finish(filler *f, const shape_sphere *spheres, int count) {
     const shape_stops *stop = f->stops;
     shape_filling result = {.count = count,
                             .inscribed = f->inscribed,
                             .density = density_of(mean_distance(f) / f->inscribed)};
-    result.met = !(stop->density >= 1 || stop->deviation > 0) || is_met(f);
-    free(f->point), free(f->distance), free(f->batches), free(f->pool), free(f->orbits);
+    result.met = !(stop->density >= 1 || stop->deviation > 0) || is_met(f, spheres, count);
+    free_sampling(&f->at), free(f->pool), free(f->orbits);
     return result;
 }
 
@@ -370,6 +412,80 @@ static orbit *next_orbit(filler *f, int room, bool is_first) {
     return fits && fits->bound > 0.25 * best->bound ? fits : NULL;
 }
 
+static void append(clump_so_far *c, filler *f, orbit *o) {
+    take(f, o, c->spheres + c->count);
+    for (int i = 0; i < o->size && c->level; i++) c->level[c->count + i] = c->orbits;
+    c->count += o->size;
+    c->orbits++;
+}
+
+/* ---- the last places
+ * ---------------------------------------------------------------------------------- */
+
+/* Candidates that touch the surface near the places of `f->at`; which ones hangs on the round. */
+static void find_candidates_near(filler *f, int round) {
+    int group_count;
+    shape_symmetry *groups = groups_of(f->target, &group_count);
+    double reach = 3 * f->stops->deviation;
+    for (int i = 0; i < f->at.count * SEEDS_PLACE; i++) {
+        uint64_t place = (uint64_t)round * PLACES * SEEDS_PLACE + (uint64_t)i;
+        shape_vec normal, at = f->at.point[i % f->at.count];
+        at.x += reach * (2 * shape_even(3, 0, place) - 1);
+        at.y += reach * (2 * shape_even(3, 1, place) - 1);
+        at.z += reach * (2 * shape_even(3, 2, place) - 1);
+        shape_target_distance(f->target, at, &at, &normal);
+        add_candidate(f, at, normal, groups, group_count);
+    }
+    free(groups);
+}
+
+static void value_orbits(filler *f) {
+    for (int i = 0; i < f->orbit_count; i++) {
+        orbit *o = &f->orbits[i];
+        o->bound = f->pool[o->first].radius > f->smallest ? gain_of(f, o) : 0;
+    }
+}
+
+/* Fills at the places of `f->at`, beside which it looks for candidates that it then forgets. */
+static void fill_places(filler *f, clump_so_far *c, int limit, int round) {
+    int orbits = f->orbit_count, pool = f->pool_count;
+    for (int s = 0; s < f->at.count; s++) f->at.distance[s] = f->target->size;
+    come_near(&f->at, c->spheres, c->count);
+    make_batches(f);
+    find_candidates_near(f, round);
+    value_orbits(f);
+    while (c->count < limit && largest_distance(f) > BOUND_PART * f->stops->deviation) {
+        orbit *o = next_orbit(f, limit - c->count, false);
+        if (!o) break;
+        append(c, f, o);
+    }
+    f->orbit_count = orbits, f->pool_count = pool;
+}
+
+/* What the samples pass by: looks for places beyond the deviation, fills there, and looks again.
+ * Any corner is reached by spheres small enough, but small spheres make steps small: radii below
+ * the deviation are taken where larger ones were tried in vain. */
+static void fill_beyond(filler *f, clump_so_far *c, int limit) {
+    sampling even = f->at;
+    double inscribed = f->inscribed;
+    f->at = (sampling){.point = malloc(PLACES * sizeof *f->at.point),
+                       .distance = malloc(PLACES * sizeof *f->at.distance)};
+    SHAPE_ASSERT(f->at.point && f->at.distance);
+    for (int round = 0, idle = 0; c->count < limit && idle < IDLE_ROUNDS; round++) {
+        int before = c->count;
+        f->at.count = shape_places_beyond(f->target, c->spheres, c->count, f->stops->deviation,
+                                          f->at.point, PLACES);
+        if (f->at.count == 0) break;
+        f->smallest = fmax(f->stops->smallest, f->stops->deviation / (1 << idle));
+        fill_places(f, c, limit, round);
+        free(f->at.batches), f->at.batches = NULL;
+        come_near(&even, c->spheres + before, c->count - before);
+        idle = c->count == before ? idle + 1 : 0;
+    }
+    free_sampling(&f->at);
+    f->at = even, f->inscribed = inscribed;
+}
+
 shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
                          shape_sphere *spheres, int *level) {
     SHAPE_ASSERT(target && spheres);
@@ -377,26 +493,22 @@ shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
     filler f;
     begin(&f, target, stops);
     find_candidates(&f);
-    int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX, count = 0, orbits = 0;
-    while (count < limit && !(count > 0 && is_met(&f))) {
-        orbit *o = next_orbit(&f, limit - count, count == 0);
+    int limit = stops->spheres > 0 ? stops->spheres : SHAPE_SPHERES_MAX;
+    clump_so_far c = {.spheres = spheres, .level = level};
+    while (c.count < limit && !(c.count > 0 && seems_met(&f))) {
+        orbit *o = next_orbit(&f, limit - c.count, c.count == 0);
         if (!o) break;
-        take(&f, o, spheres + count);
-        for (int i = 0; i < o->size && level; i++) level[count + i] = orbits;
-        count += o->size;
-        orbits++;
+        append(&c, &f, o);
     }
-    return finish(&f, count);
+    if (stops->deviation > 0 && c.count > 0 && !is_dense(&f)) fill_beyond(&f, &c, limit);
+    return finish(&f, spheres, c.count);
 }
 
 static void measure_row(filler *f, const shape_sphere *spheres, int count) {
     f->inscribed = 0;
     for (int i = 0; i < count; i++) f->inscribed = fmax(f->inscribed, spheres[i].radius);
-    for (int s = 0; s < f->samples; s++) {
-        f->distance[s] = f->target->size;
-        for (int i = 0; i < count; i++)
-            f->distance[s] = fmin(f->distance[s], outside(spheres[i], f->point[s]));
-    }
+    for (int s = 0; s < f->at.count; s++) f->at.distance[s] = f->target->size;
+    come_near(&f->at, spheres, count);
 }
 
 shape_filling shape_fill_row(const shape_target *target, const shape_stops *stops,
@@ -410,7 +522,7 @@ shape_filling shape_fill_row(const shape_target *target, const shape_stops *stop
     for (int n = asks ? 1 : limit; n <= limit; n++) {
         count = shape_profile_fit(&target->profile, n, spheres);
         measure_row(&f, spheres, count);
-        if (asks && count > 0 && is_met(&f)) break;
+        if (asks && is_met(&f, spheres, count)) break;
     }
-    return finish(&f, count);
+    return finish(&f, spheres, count);
 }

@@ -10,7 +10,12 @@
  * Choice. Greedy: the orbit that lowers the sum of squared distances from the surface to the clump
  * most, per sphere. What remains after n spheres is at most 1/e above the best that n spheres of
  * the candidates could take away (Nemhauser, Wolsey, Fisher 1978; the sum is submodular), and
- * levels of detail are nested. */
+ * levels of detail are nested.
+ *
+ * The sum is taken over some 1500 places of the surface, which pass corners by. Where a largest
+ * deviation is asked for and these have it, the places beyond it are found by branch and bound, and
+ * filled with the same choice among these candidates and new ones beside those places, until there
+ * are none. All other fillings do without. */
 #ifndef CLAST_SHAPES_FILL_H
 #define CLAST_SHAPES_FILL_H
 
@@ -28,7 +33,7 @@ double shape_density_deviation(double density); /* mean distance over the radius
 typedef struct shape_stops {
     int spheres;      /* no more than these; at most SHAPE_SPHERES_MAX */
     double density;   /* packing density is reached; >= 1 */
-    double deviation; /* m, none of some 1500 places of the surface is farther from the clump */
+    double deviation; /* m, no place of the surface is farther from the clump (deviation.h) */
     double smallest;  /* m, no sphere is smaller */
 } shape_stops;
 

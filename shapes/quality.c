@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "shapes/check.h"
+#include "shapes/deviation.h"
 #include "shapes/numbers.h"
 
 enum { POINTS = 4000, MEETINGS = 256 };
@@ -70,7 +71,6 @@ static void measure_surface(shape_quality *q, const shape_target *t, const shape
     for (int i = 0; i < POINTS; i++) {
         double d = distance_to(spheres, count, point[i]);
         q->deviation_mean += d / POINTS;
-        q->deviation_max = fmax(q->deviation_max, d);
         double a = contact_angle(spheres, count, point[i], normal[i], probe);
         if (a >= 0) angle[met++] = a;
     }
@@ -151,6 +151,7 @@ shape_quality shape_quality_of(const shape_target *t, const shape_sphere *sphere
     SHAPE_ASSERT(t && spheres && count >= 1);
     shape_quality q = {0};
     measure_surface(&q, t, spheres, count);
+    q.deviation_max = shape_deviation_max(t, spheres, count);
     for (int i = 0; i < count; i++) {
         double inside = -shape_target_distance(t, spheres[i].centre, NULL, NULL);
         q.protrusion = fmax(q.protrusion, spheres[i].radius - inside);

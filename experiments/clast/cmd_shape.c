@@ -46,7 +46,8 @@ static const char HELP_END[] =
     "example: clast shape cylinder radius=5mm length=2cm --density 1,2,3 --draw cylinder.png\n"
     "example: clast shape stone.stl --unit mm --levels 3,7,15,31 --rho \"2650 kg/m3\" --out "
     "stone.yaml\n"
-    "exit code: 0, 2 usage, 3 faults in a file, 4 a file cannot be written\n";
+    "exit code: 0, 1 --deviation is not met by as many spheres as fit or are allowed (all is\n"
+    "written nevertheless), 2 usage, 3 faults in a file, 4 a file cannot be written\n";
 
 enum { WORDS = 8, LEVELS = 16, TEXT = 400 };
 
@@ -283,12 +284,26 @@ static bool write_text(const char *path, char *text) {
     return !failure;
 }
 
+/* The levels that miss the deviation that was asked for, on stderr; the exit code that it gives. */
+static int missed(const shape_sheet *sheet) {
+    int code = CLAST_EXIT_OK;
+    for (int i = 0; i < sheet->count; i++) {
+        const shape_level *l = &sheet->levels[i];
+        if (l->filling.met || !(l->stops.deviation > 0)) continue;
+        fprintf(stderr,
+                "clast shape: --deviation %g mm is not met: %d spheres leave a place %.4g mm off\n",
+                1e3 * l->stops.deviation, l->filling.count, 1e3 * l->quality.deviation_max);
+        code = CLAST_EXIT_RUN_FAILED;
+    }
+    return code;
+}
+
 static int show(const arguments *a, const shape_sheet *sheet) {
     shape_print(sheet);
     bool good = (!a->out || write_text(a->out, shape_yaml(sheet))) &&
                 (!a->csv || write_text(a->csv, shape_csv(sheet))) &&
                 (!a->draw || shape_draw(sheet, a->draw, a->height, a->bare));
-    return good ? CLAST_EXIT_OK : CLAST_EXIT_FILE;
+    return good ? missed(sheet) : CLAST_EXIT_FILE;
 }
 
 /* The name of the file without folders and ending. */

@@ -43,7 +43,7 @@ static void print_level(const shape_sheet *s, const shape_level *l) {
     const shape_clump *c = &l->clump;
     printf("%d spheres, radius %.4g mm and more: packing density %.3g%s\n", c->count,
            1e3 * smallest_radius(l), l->filling.density,
-           l->filling.met ? "" : " (less than was asked for: no spheres left to place)");
+           l->filling.met ? "" : " (not what was asked for: no spheres left to place)");
     print_mass("union", &c->as_union, s->density);
     printf("          of the solid: volume %.2f %%, inertia off by %.2f %%\n",
            100 * c->as_union.volume / c->as_solid.volume,
