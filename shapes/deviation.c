@@ -15,10 +15,10 @@ typedef struct piece {
 typedef struct search {
     const shape_target *target;
     const shape_sphere *spheres;
-    int *near;       /* for each depth, the spheres that may be nearest: room for all */
-    size_t stride;   /* number of spheres */
-    int axis;        /* of revolution, or -1 */
-    double limit;    /* m, pieces whose bound is no larger are passed by */
+    int *near;        /* for each depth, the spheres that may be nearest: room for all */
+    size_t stride;    /* number of spheres */
+    int axis;         /* of revolution, or -1 */
+    double limit;     /* m, pieces whose bound is no larger are passed by */
     shape_vec *place; /* NULL: `limit` rises with what is found */
     int room, found;
 } search;
@@ -142,8 +142,8 @@ double shape_deviation_max(const shape_target *t, const shape_sphere *spheres, i
     return s.limit;
 }
 
-int shape_places_beyond(const shape_target *t, const shape_sphere *spheres, int count,
-                        double limit, shape_vec *place, int room) {
+int shape_places_beyond(const shape_target *t, const shape_sphere *spheres, int count, double limit,
+                        shape_vec *place, int room) {
     SHAPE_ASSERT(t && spheres && count >= 1 && limit > 0 && place && room >= 1);
     search s = {.target = t, .spheres = spheres, .limit = limit, .place = place, .room = room};
     search_all(&s, count);

@@ -41,7 +41,7 @@ typedef struct sampling {
 typedef struct filler {
     const shape_target *target;
     const shape_stops *stops;
-    sampling at; /* first of the part of the surface that the symmetry repeats */
+    sampling at;        /* first of the part of the surface that the symmetry repeats */
     shape_sphere *pool; /* spheres of all orbits */
     orbit *orbits;
     int pool_count, pool_room, orbit_count, orbit_room;

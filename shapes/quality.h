@@ -9,7 +9,7 @@
 typedef struct shape_quality {
     double deviation_mean; /* m, of the surface of the target from the clump */
     double deviation_max;  /* m, by shape_deviation_max() */
-    double protrusion; /* m, by which the clump sticks out of the target */
+    double protrusion;     /* m, by which the clump sticks out of the target */
     /* rad: a sphere as large as the smallest of the clump comes down on the clump along the normal
      * of the target; by how much the normal of the contact differs (A00 3.8, for any clump) */
     double normal_max;

@@ -182,8 +182,7 @@ static void the_largest_deviation_of_one_sphere(void **state) {
 static void a_deviation_that_is_missed(void **state) {
     (void)state;
     shape_target *t = shape_target_of_solid(&(shape_solid){SHAPE_BLOCK, {2.0, 1.5, 1.0}});
-    shape_filling f =
-        shape_fill(t, &(shape_stops){.spheres = 20, .deviation = 0.1}, spheres, NULL);
+    shape_filling f = shape_fill(t, &(shape_stops){.spheres = 20, .deviation = 0.1}, spheres, NULL);
     assert_true(f.count <= 20 && !f.met);
     shape_target_free(t);
 }
@@ -284,6 +283,5 @@ TEST_MAIN(cmocka_unit_test(every_solid_is_filled), cmocka_unit_test(more_is_near
           cmocka_unit_test(a_largest_deviation_is_kept),
           cmocka_unit_test(the_largest_deviation_of_one_sphere),
           cmocka_unit_test(a_deviation_that_is_missed), cmocka_unit_test(a_mesh_is_filled),
-          cmocka_unit_test(the_contact_normal_of_a_row),
-          cmocka_unit_test(a_sphere_costs_one),
+          cmocka_unit_test(the_contact_normal_of_a_row), cmocka_unit_test(a_sphere_costs_one),
           cmocka_unit_test(clumps_are_centred_by_the_mass_chosen))
