@@ -188,7 +188,7 @@ typedef struct clast_world_def {
 
     double skin;   /* m, extra reach of the pair list; 0 lets the engine choose: never observable */
     int threads;   /* at most so many in each process, 0: as many as there are cores. Those that pay
-                      are used, counted at the start, by the leapfrog at every list: never seen */
+                      are used, counted at the start, by the leapfrog at every list: same bits */
     int spheres_per_thread; /* so many spheres keep a thread busy, typical 500;  1: all threads,
                                whether they pay or not, for tests of threads */
     bool alone;    /* among several processes: this one keeps the world for itself */

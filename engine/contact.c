@@ -52,12 +52,14 @@ static void merge_threads(clast_world *w) {
     record[0] = overlap, record[PASS_NUMBERS - 1] = contacts;
 }
 
-/* N of the two halves: multiples of one quantum, so that they too are added exactly. */
+/* N of the two halves: multiples of one quantum, so that they too are added exactly. What the lower
+ * halves have carried goes to the upper ones, which keeps `fine` far below 2^53 quanta. */
 static void add_push(exact_sum force[3], const push_row *row, double quantum) {
     uint64_t offsets = row->high[3];
     for (int k = 0; k < 3; k++) {
-        force[k].coarse += (double)(int64_t)(row->high[k] - offsets) * (0x1p32 * quantum);
-        force[k].fine += (double)(int64_t)row->low[k] * quantum;
+        int64_t high = (int64_t)(row->high[k] - offsets + (row->low[k] >> 32));
+        force[k].coarse += (double)high * (0x1p32 * quantum);
+        force[k].fine += (double)(row->low[k] & 0xffffffff) * quantum;
     }
 }
 

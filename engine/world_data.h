@@ -177,8 +177,8 @@ typedef struct part_sums {
 } part_sums;
 
 /* The forces of the walls of a part, quanta of the loads: sums of the lower and of the upper halves
- * of each force and PUSH_OFFSET. As doubles they add exactly up to two million contacts of a part,
- * 2^53 quanta. [3] counts: it is that of no force. */
+ * of each force and PUSH_OFFSET, which have room for a thousand million of them. [3] counts: it is
+ * that of no force. */
 typedef struct push_row {
     uint64_t low[4], high[4];
 } push_row;
