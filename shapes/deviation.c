@@ -28,6 +28,11 @@ double shape_deviation_error(const shape_target *t, double deviation) {
     return 1e-3 * deviation + 1e-5 * t->size;
 }
 
+double shape_deviation_least(const shape_target *t) {
+    SHAPE_ASSERT(t);
+    return 1e-4 * t->size;
+}
+
 static double longest_side(const piece *p) {
     double longest = 0;
     for (int k = 0; k < 3; k++)
@@ -100,7 +105,7 @@ static void visit_quarters(search *s, const piece *p, int depth, int count) {
     for (int k = 0; k < 4; k++) visit(s, &quarters[k], depth + 1, count);
 }
 
-/* A place is noted once its piece is small, so that places are spread. */
+/* A place is noted once its piece is small, or all would be in one corner of the first. */
 static bool is_noted(search *s, const piece *p, double most, shape_vec at, int depth) {
     bool beyond = most > s->limit - shape_deviation_error(s->target, s->limit);
     bool small = longest_side(p) < 0.5 * s->limit || depth == DEPTH;

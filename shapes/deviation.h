@@ -14,12 +14,15 @@
  * thousandth of it and a hundred-thousandth of the target's size. */
 double shape_deviation_error(const shape_target *target, double deviation);
 
+/* The least deviation (m) that a clump can be held to: ten times what is left open of the size. */
+double shape_deviation_least(const shape_target *target);
+
 /* The largest deviation (m, >= 0) that was found; count >= 1. No place is farther than this by more
  * than shape_deviation_error(). */
 double shape_deviation_max(const shape_target *target, const shape_sphere *spheres, int count);
 
 /* Places farther than `limit` (m, > 0) from the clump, less shape_deviation_error(), `room` at
- * most, half a limit apart or more where they are many. 0: no place is farther than `limit`. */
+ * most; limit >= shape_deviation_least(). 0: no place is farther than `limit`. */
 int shape_places_beyond(const shape_target *target, const shape_sphere *spheres, int count,
                         double limit, shape_vec *place, int room);
 

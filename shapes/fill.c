@@ -68,8 +68,7 @@ static void *grown(void *old, int *room, size_t size) {
     return p;
 }
 
-/* ---- candidates
- * ---------------------------------------------------------------------------------- */
+/* ---- candidates ------------------------------------------------------------------------------ */
 
 /* The largest sphere inside that touches the surface at p; radius 0 where there is none. */
 static shape_sphere touching_sphere(const shape_target *t, shape_vec p, shape_vec normal) {
@@ -77,9 +76,9 @@ static shape_sphere touching_sphere(const shape_target *t, shape_vec p, shape_ve
     shape_vec q, c = p;
     for (int i = 0; i < 80 && r > 1e-9 * t->size; i++) {
         c = sv_along(p, -r, normal);
-        double d = fabs(shape_target_distance(t, c, &q, NULL));
-        if (d >= r * (1 - 1e-9) - t->slack) return (shape_sphere){c, r};
-        shape_vec chord = sv_sub(p, q);
+        double inside = -shape_target_distance(t, c, &q, NULL);
+        if (inside > 0 && inside >= r * (1 - 1e-9) - t->slack) return (shape_sphere){c, r};
+        shape_vec chord = sv_sub(p, q); /* beyond a sharp edge the centre may lie outside */
         double lift = 2 * sv_dot(normal, chord), square = sv_dot(chord, chord);
         double next = lift > 0 ? square / lift : 0.5 * r;
         r = next < 0.999 * r ? next : 0.999 * r;
@@ -378,10 +377,16 @@ static void begin(filler *f, const shape_target *target, const shape_stops *stop
     make_batches(f);
 }
 
+static bool can_be_told(const filler *f) {
+    double deviation = f->stops->deviation;
+    return deviation > 0 && deviation >= shape_deviation_least(f->target);
+}
+
 static bool is_met(const filler *f, const shape_sphere *spheres, int count) {
     shape_vec place;
     if (count == 0 || !seems_met(f)) return false;
-    return is_dense(f) ||
+    if (is_dense(f)) return true;
+    return can_be_told(f) &&
            !shape_places_beyond(f->target, spheres, count, f->stops->deviation, &place, 1);
 }
 
@@ -419,8 +424,7 @@ static void append(clump_so_far *c, filler *f, orbit *o) {
     c->orbits++;
 }
 
-/* ---- the last places
- * ---------------------------------------------------------------------------------- */
+/* ---- the last places ------------------------------------------------------------------------- */
 
 /* Candidates that touch the surface near the places of `f->at`; which ones hangs on the round. */
 static void find_candidates_near(filler *f, int round) {
@@ -500,7 +504,7 @@ shape_filling shape_fill(const shape_target *target, const shape_stops *stops,
         if (!o) break;
         append(&c, &f, o);
     }
-    if (stops->deviation > 0 && c.count > 0 && !is_dense(&f)) fill_beyond(&f, &c, limit);
+    if (can_be_told(&f) && c.count > 0 && !is_dense(&f)) fill_beyond(&f, &c, limit);
     return finish(&f, spheres, c.count);
 }
 

@@ -33,7 +33,8 @@ double shape_density_deviation(double density); /* mean distance over the radius
 typedef struct shape_stops {
     int spheres;      /* no more than these; at most SHAPE_SPHERES_MAX */
     double density;   /* packing density is reached; >= 1 */
-    double deviation; /* m, no place of the surface is farther from the clump (deviation.h) */
+    double deviation; /* m, no place of the surface is farther from the clump (deviation.h); never
+                         met below shape_deviation_least() */
     double smallest;  /* m, no sphere is smaller */
 } shape_stops;
 

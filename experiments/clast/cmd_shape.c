@@ -291,7 +291,9 @@ static int missed(const shape_sheet *sheet) {
         const shape_level *l = &sheet->levels[i];
         if (l->filling.met || !(l->stops.deviation > 0)) continue;
         fprintf(stderr,
-                "clast shape: --deviation %g mm is not met: %d spheres leave a place %.4g mm off\n",
+                "clast shape: --deviation %g mm is not met: %d spheres leave a place %.4g mm off; "
+                "a bound can be held from a ten-thousandth of the body's size on, and to a "
+                "thousandth of itself\n",
                 1e3 * l->stops.deviation, l->filling.count, 1e3 * l->quality.deviation_max);
         code = CLAST_EXIT_RUN_FAILED;
     }

@@ -193,6 +193,32 @@ static void the_largest_deviation_of_one_sphere(void **state) {
     shape_target_free(t);
 }
 
+/* Edges of ten degrees: beyond one of them a sphere may touch the surface from without. */
+static void a_wedge_holds_its_spheres(void **state) {
+    (void)state;
+    shape_mesh mesh = shape_solid_mesh(&(shape_solid){SHAPE_BLOCK, {1.0, 0.35, 2.0}}, 1);
+    for (size_t i = 0; i < mesh.vertex_count; i++)
+        if (mesh.vertex[i].z > 0) mesh.vertex[i].y *= 0.01;
+    shape_target *t = mesh_target(mesh);
+    for (double deviation = 0.08; deviation > 0.03; deviation /= 2) {
+        shape_filling f = shape_fill(t, &(shape_stops){.deviation = deviation}, spheres, NULL);
+        shape_quality q = shape_quality_of(t, spheres, f.count);
+        print_message("wedge, %g: %d spheres, off by %.3g, sticks out %.2g\n", deviation, f.count,
+                      q.deviation_max, q.protrusion / t->size);
+        CHECK_BELOW(q.protrusion, 1.01 * t->slack);
+        assert_true(f.met == (q.deviation_max <= deviation));
+    }
+    shape_target_free(t);
+}
+
+/* Less than the search can tell: refused to be called met, and at once. */
+static void a_deviation_below_what_can_be_told(void **state) {
+    (void)state;
+    shape_target *t = shape_target_of_solid(&SOLIDS[SHAPE_SPHERE]);
+    assert_false(shape_fill(t, &(shape_stops){.deviation = 1e-10}, spheres, NULL).met);
+    shape_target_free(t);
+}
+
 /* A bound that so few spheres cannot keep is not said to be kept. */
 static void a_deviation_that_is_missed(void **state) {
     (void)state;
@@ -297,6 +323,8 @@ TEST_MAIN(cmocka_unit_test(every_solid_is_filled), cmocka_unit_test(more_is_near
           cmocka_unit_test(levels_are_nested_and_repeat), cmocka_unit_test(other_stops),
           cmocka_unit_test(a_largest_deviation_is_kept),
           cmocka_unit_test(the_largest_deviation_of_one_sphere),
+          cmocka_unit_test(a_wedge_holds_its_spheres),
+          cmocka_unit_test(a_deviation_below_what_can_be_told),
           cmocka_unit_test(a_deviation_that_is_missed), cmocka_unit_test(a_mesh_is_filled),
           cmocka_unit_test(the_contact_normal_of_a_row), cmocka_unit_test(a_sphere_costs_one),
           cmocka_unit_test(clumps_are_centred_by_the_mass_chosen))
