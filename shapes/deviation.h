@@ -4,7 +4,8 @@
  * Found by branch and bound over the triangles of the surface and their quarters. The distance from
  * one sphere is convex, so over a triangle it is largest at a corner, and no place of the triangle
  * is farther from the clump than the sphere with the nearest farthest corner says. On curved
- * surfaces corners are moved out to the surface, and the bound grows by as much as they moved. */
+ * surfaces corners are moved out to the surface, and the bound grows by as much as they moved: that
+ * is proven for meshes and flat faces, and not for curved solids, where tests hold it. */
 #ifndef CLAST_SHAPES_DEVIATION_H
 #define CLAST_SHAPES_DEVIATION_H
 
