@@ -452,6 +452,16 @@ static hid_t dataset(h5_file *f, const char *name) {
     return set;
 }
 
+/* Deflate makes nothing smaller than a 1032nd: what claims to hold more than that many times the
+ * bytes that are stored is damaged, and must not be believed before memory is asked for. */
+static bool is_stored(hid_t set, const hsize_t *size, int rank) {
+    hid_t type = H5Dget_type(set);
+    double claimed = (double)H5Tget_size(type);
+    H5Tclose(type);
+    for (int i = 0; i < rank; i++) claimed *= (double)size[i];
+    return claimed <= 1032.0 * (double)H5Dget_storage_size(set);
+}
+
 int h5_extent(h5_file *f, const char *name, size_t extent[H5_RANK_MAX]) {
     CLAST_ASSERT(f && name && extent);
     memset(extent, 0, H5_RANK_MAX * sizeof *extent);
@@ -462,6 +472,10 @@ int h5_extent(h5_file *f, const char *name, size_t extent[H5_RANK_MAX]) {
     int rank = H5Sget_simple_extent_ndims(space);
     if (rank < 0 || rank > H5_RANK_MAX || H5Sget_simple_extent_dims(space, size, NULL) < 0) {
         h5_fail(f, CLAST_ERR_FORMAT, "%s: '%s' has an unexpected shape", f->path, name);
+        rank = 0;
+    }
+    if (!is_stored(set, size, rank)) {
+        h5_fail(f, CLAST_ERR_FORMAT, "%s: '%s' claims to hold more than is stored", f->path, name);
         rank = 0;
     }
     for (int i = 0; i < rank; i++) extent[i] = (size_t)size[i];

@@ -234,12 +234,27 @@ static void check_plate(scene_reader *r, const wall_item *wall, const tree_node 
         FAULT(plate, "side", "found a direction that is not at right angles to the normal");
 }
 
+/* A file has its measures in itself. */
+static void check_bar(scene_reader *r, const tree_node *bar) {
+    static const char *const MEASURES[] = {"length",     "height",   "width",   "nose_radius",
+                                           "nose_angle", "undercut", "segments"};
+    if (!bar) return;
+    bool of_file = tree_get(bar, "mesh") != NULL;
+    check_unused(r, bar, "unit", of_file, "mesh");
+    for (size_t i = 0; i < sizeof MEASURES / sizeof *MEASURES; i++)
+        if (of_file && tree_get(bar, MEASURES[i]))
+            FAULT(bar, MEASURES[i], "found beside mesh, expected one of the two");
+}
+
 static void check_surface(scene_reader *r, const wall_item *wall) {
-    static const char *const OF_FILES[] = {"unit", "axes", "weld"};
+    static const char *const OF_FILES[] = {"axes", "weld"};
     static const char *const OF_TRIANGLES[] = {"scale", "rotation", "at", "smooth_angle"};
     const tree_node *node = wall->item.node;
-    for (int i = 0; i < 3; i++)
-        check_unused(r, node, OF_FILES[i], tree_get(node, "mesh") != NULL, "mesh");
+    bool of_file = tree_get(node, "mesh") != NULL;
+    check_bar(r, tree_get(node, "bar"));
+    check_unused(r, node, "unit", of_file, "mesh");
+    for (int i = 0; i < 2; i++)
+        check_unused(r, node, OF_FILES[i], of_file || wall->surface.bar_mesh, "mesh");
     for (int i = 0; i < 4; i++)
         check_unused(r, node, OF_TRIANGLES[i], scene_is_surface(wall), "mesh, bar, tube and bend");
     check_turn(r, tree_get(node, "rotation"), &wall->surface.turn);

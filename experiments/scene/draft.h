@@ -118,7 +118,9 @@ typedef struct copies_rule {
 typedef struct surface_rule {
     const char *mesh, *axes;
     double unit, weld, scale, smooth_angle;
-    mesh_bar bar; /* whichever the file gives */
+    mesh_bar bar;         /* whichever the file gives */
+    const char *bar_mesh; /* in the place of its measures, or NULL */
+    double bar_unit;
     mesh_tube tube;
     mesh_bend bend;
     rotation turn;

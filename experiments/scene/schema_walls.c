@@ -50,6 +50,11 @@ TABLE(PLATE, "walls.NAME.plate", wall_item, PLATE_KEYS);
      .meaning = "flat sides around; the error of the radius falls with their square"}
 
 static const scene_key BAR_KEYS[] = {
+    {"mesh", KEY_FILE, FIELD(surface.bar_mesh),
+     .meaning = "a bar of one's own in the place of these measures: nose at x = 0 pointing to +x, "
+                "underside at z = 0, its middle at y = 0"},
+    {"unit", KEY_NUMBER, UNIT_LENGTH, FIELD(surface.bar_unit), ABOVE(0), .fallback = "1 m",
+     .meaning = "of the lengths in mesh"},
     {"length", KEY_NUMBER, UNIT_LENGTH, FIELD(surface.bar.length), ABOVE(0), .fallback = "190 mm",
      .meaning = "along x, from the back to the nose at x = 0"},
     {"height", KEY_NUMBER, UNIT_LENGTH, FIELD(surface.bar.height), ABOVE(0), .fallback = "30 mm",
@@ -121,7 +126,7 @@ static const scene_key WALL_KEYS[] = {
      .meaning = "triangles (STL, OBJ, PLY, ...), felt from both sides; `clast check` says what was "
                 "found and mended"},
     {"bar", KEY_SECTION, .section = &BAR, .one_of = true,
-     .meaning = "of a grate (S12 Table 3.3); {} takes every default"},
+     .meaning = "of a grate (S12 Table 3.3), from measures or a file; {} takes every default"},
     {"tube", KEY_SECTION, .section = &TUBE, .one_of = true,
      .meaning = "straight pipe of triangles (S12 2.9.2)"},
     {"bend", KEY_SECTION, .section = &BEND, .one_of = true,

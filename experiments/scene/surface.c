@@ -14,6 +14,11 @@ typedef enum surface_kind { OF_MESH, OF_BAR, OF_TUBE, OF_BEND, SURFACE_KINDS } s
 
 static const char *const KEYS[SURFACE_KINDS] = {"mesh", "bar", "tube", "bend"};
 
+/* Where triangles are read from, or NULL. */
+static const char *file_of(const wall_item *wall) {
+    return tree_get(wall->item.node, "bar") ? wall->surface.bar_mesh : wall->surface.mesh;
+}
+
 static surface_kind kind_of(const wall_item *wall) {
     for (int k = 0; k < SURFACE_KINDS; k++)
         if (tree_get(wall->item.node, KEYS[k])) return (surface_kind)k;
@@ -49,11 +54,11 @@ static mesh_status make_shape(const wall_item *wall, mesh_surface *raw) {
 static mesh_status read_or_make(const wall_item *wall, mesh_surface *surface, mesh_report *report) {
     mesh_options options = mesh_options_default();
     const surface_rule *s = &wall->surface;
-    if (kind_of(wall) == OF_MESH) {
-        options.unit = s->unit;
+    if (file_of(wall)) {
+        options.unit = kind_of(wall) == OF_BAR ? s->bar_unit : s->unit;
         options.weld = s->weld;
         mesh_status status = mesh_axes_parse(s->axes, options.axis);
-        return status == MESH_OK ? mesh_load(s->mesh, &options, surface, report) : status;
+        return status == MESH_OK ? mesh_load(file_of(wall), &options, surface, report) : status;
     }
     mesh_surface raw;
     mesh_status status = make_shape(wall, &raw);
@@ -131,7 +136,7 @@ static void add_report(scene_reader *r, scene_draft *d, const wall_item *wall,
     size_t length;
     FILE *to = open_memstream(&text, &length);
     SCENE_ASSERT(to);
-    const char *file = kind_of(wall) == OF_MESH ? wall->surface.mesh : KEYS[kind_of(wall)];
+    const char *file = file_of(wall) ? file_of(wall) : KEYS[kind_of(wall)];
     mesh_report_write(report, scene_print(r->arena, "%s, %s", wall->item.name, file), to);
     SCENE_ASSERT(fclose(to) == 0);
     d->mesh_reports = scene_print(r->arena, "%s%s", d->mesh_reports ? d->mesh_reports : "", text);

@@ -100,6 +100,20 @@ static void shapes_have_the_measures_of_the_scene(void **state) {
     scene_free(s);
 }
 
+/* In the place of the measures; the unit is that beside the file. */
+static void a_bar_is_read_from_a_file(void **state) {
+    (void)state;
+    scene *s = load(NULL, 0);
+    const scene_mesh *own = find(s, "own"), *wedge = find(s, "wedge-1");
+    assert_int_equal(own->vertex_count, wedge->vertex_count);
+    for (size_t i = 0; i < own->vertex_count; i++) { /* that one: doubled, turned, moved */
+        const double *p = wedge->vertex + 3 * i;
+        has_vertex(own, i, (p[1] - 2) / 2, (1 - p[0]) / 2, 1 + (p[2] - 3) / 2);
+    }
+    assert_non_null(strstr(s->mesh_reports, "own, "));
+    scene_free(s);
+}
+
 static void belts_and_copies_reach_every_piece(void **state) {
     (void)state;
     scene *s = load(NULL, 0);
@@ -188,6 +202,7 @@ static void balls_go_through_a_pipe(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_file_is_put_in_its_place),
                                        cmocka_unit_test(shapes_have_the_measures_of_the_scene),
+                                       cmocka_unit_test(a_bar_is_read_from_a_file),
                                        cmocka_unit_test(belts_and_copies_reach_every_piece),
                                        cmocka_unit_test(another_file_is_one_setting),
                                        cmocka_unit_test(the_smooth_angle_joins_flat_pieces),
