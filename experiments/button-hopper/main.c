@@ -13,7 +13,7 @@
 #include "experiments/study/output.h"
 
 static const char USAGE[] =
-    "usage: button-hopper validate|figures [--size quick|published|full] [--jobs N]\n"
+    "usage: button-hopper validate|figures [--size quick|brief|published|full] [--jobs N]\n"
     "Repeats A00 section 4.3: 200 buttons, five orifices. Runs are kept below the build folder and "
     "not\n"
     "repeated. CLAST_SIZE and CLAST_JOBS set the same.\n"
@@ -28,7 +28,8 @@ static double seconds(void) {
 static void open_study(hopper_study *s, const char *size_name) {
     s->size = hopper_size_named(size_name);
     if (!s->size) {
-        fprintf(stderr, "there is no size '%s': expected quick, published or full\n", size_name);
+        fprintf(stderr, "there is no size '%s': expected quick, brief, published or full\n",
+                size_name);
         exit(2);
     }
     /* runs are shared between sizes: their names say what they are */

@@ -12,6 +12,7 @@ const char *const FILL_NAME[FILLS] = {"frictionless", "frictional"};
 
 static const hopper_size SIZES[] = {
     {"quick", {1, 0}, {false, false, true, false, true}, "4.5 us", "0.8 s", 0},
+    {"brief", {5, 1}, {true, true, true, true, true}, "2.3 us", "1.5 s", 2},
     {"published", {5, 1}, {true, true, true, true, true}, "2.3 us", "1.5 s", 4},
     {"full", {20, 20}, {true, true, true, true, true}, "2.3 us", "1.5 s", 20},
 };
