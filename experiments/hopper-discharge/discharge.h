@@ -273,6 +273,7 @@ typedef struct discharge_study {
 
 /* plan.c: makes the beds and runs everything. */
 void study_run(discharge_study *s);
+void study_forget(discharge_study *s);
 const char *method_name(int method);
 const bed *study_bed(const discharge_study *s, int variant, int state);
 int study_states(const discharge_study *s, int variant);

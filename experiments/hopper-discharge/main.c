@@ -32,7 +32,13 @@ int main(int argc, char **argv) {
     snprintf(s.data, sizeof s.data, "%s/data", s.root);
     output_folder(s.data);
     study_run(&s);
-    if (c.figures) return discharge_write_tables(&s) | discharge_pictures(&s);
-    output_folder(BUILD_FOLDER "/validate");
-    return discharge_verdicts(&s, BUILD_FOLDER "/validate/hopper-discharge.csv");
+    int bad;
+    if (c.figures) {
+        bad = discharge_write_tables(&s) | discharge_pictures(&s);
+    } else {
+        output_folder(BUILD_FOLDER "/validate");
+        bad = discharge_verdicts(&s, BUILD_FOLDER "/validate/hopper-discharge.csv");
+    }
+    study_forget(&s);
+    return bad;
 }

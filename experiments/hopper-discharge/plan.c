@@ -208,3 +208,7 @@ void study_run(discharge_study *s) {
     limits_find(s);
     prices_find(s);
 }
+
+void study_forget(discharge_study *s) {
+    free(s->bed), free(s->history), free(s->run), free(s->limit), free(s->price);
+}
