@@ -105,12 +105,20 @@ static void visit_quarters(search *s, const piece *p, int depth, int count) {
     for (int k = 0; k < 4; k++) visit(s, &quarters[k], depth + 1, count);
 }
 
-/* A place is noted once its piece is small, or all would be in one corner of the first. */
+/* Where one place is beyond the limit, those beside it are too: they are filled with it. */
+static bool is_beside_another(const search *s, shape_vec at) {
+    for (int i = 0; i < s->found; i++)
+        if (sv_distance(s->place[i], at) < s->limit) return true;
+    return false;
+}
+
+/* A place is noted once its piece is small, or all would be in one corner of the first. True: the
+ * piece is done with. */
 static bool is_noted(search *s, const piece *p, double most, shape_vec at, int depth) {
     bool beyond = most > s->limit - shape_deviation_error(s->target, s->limit);
     bool small = longest_side(p) < 0.5 * s->limit || depth == DEPTH;
     if (!small || !(beyond || depth == DEPTH)) return false;
-    s->place[s->found++] = at;
+    if (!is_beside_another(s, at)) s->place[s->found++] = at;
     return true;
 }
 

@@ -23,7 +23,8 @@ double shape_deviation_least(const shape_target *target);
 double shape_deviation_max(const shape_target *target, const shape_sphere *spheres, int count);
 
 /* Places farther than `limit` (m, > 0) from the clump, less shape_deviation_error(), `room` at
- * most; limit >= shape_deviation_least(). 0: no place is farther than `limit`. */
+ * most and no two nearer to each other than `limit`; limit >= shape_deviation_least(). 0: no place
+ * is farther than `limit`. */
 int shape_places_beyond(const shape_target *target, const shape_sphere *spheres, int count,
                         double limit, shape_vec *place, int room);
 

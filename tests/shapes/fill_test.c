@@ -193,6 +193,23 @@ static void the_largest_deviation_of_one_sphere(void **state) {
     shape_target_free(t);
 }
 
+/* Places beyond a deviation are beyond it and spread: those beside one are filled with it. */
+static void places_beyond_are_spread(void **state) {
+    (void)state;
+    enum { ROOM = 64 };
+    shape_target *t = shape_target_of_solid(&(shape_solid){SHAPE_BLOCK, {2.0, 1.5, 1.0}});
+    const shape_sphere one = {{0, 0, 0}, 0.5};
+    const double limit = 0.3;
+    shape_vec place[ROOM];
+    int count = shape_places_beyond(t, &one, 1, limit, place, ROOM);
+    assert_true(count > 8);
+    for (int i = 0; i < count; i++) {
+        CHECK_BELOW(limit - shape_deviation_error(t, limit), sv_norm(place[i]) - 0.5);
+        for (int j = 0; j < i; j++) CHECK_BELOW(limit, sv_distance(place[i], place[j]));
+    }
+    shape_target_free(t);
+}
+
 /* Edges of ten degrees: beyond one of them a sphere may touch the surface from without. */
 static void a_wedge_holds_its_spheres(void **state) {
     (void)state;
@@ -323,7 +340,7 @@ TEST_MAIN(cmocka_unit_test(every_solid_is_filled), cmocka_unit_test(more_is_near
           cmocka_unit_test(levels_are_nested_and_repeat), cmocka_unit_test(other_stops),
           cmocka_unit_test(a_largest_deviation_is_kept),
           cmocka_unit_test(the_largest_deviation_of_one_sphere),
-          cmocka_unit_test(a_wedge_holds_its_spheres),
+          cmocka_unit_test(places_beyond_are_spread), cmocka_unit_test(a_wedge_holds_its_spheres),
           cmocka_unit_test(a_deviation_below_what_can_be_told),
           cmocka_unit_test(a_deviation_that_is_missed), cmocka_unit_test(a_mesh_is_filled),
           cmocka_unit_test(the_contact_normal_of_a_row), cmocka_unit_test(a_sphere_costs_one),
