@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "shapes/deviation.h"
+
 #define FAULT(node, key, ...) scene_fault_at(r->arena, r->faults, (node), (key), __VA_ARGS__)
 
 static const tree_node *get(const shape_item *shape, const char *key) {
@@ -92,6 +94,34 @@ static int given_spheres(scene_reader *r, const shape_item *shape, shape_sphere 
     return set.count;
 }
 
+/* What was asked for and what came of it, at the line of the key that asks. */
+static void warn_of_miss(scene_reader *r, const shape_item *shape, const shape_target *target,
+                         const shape_stops *stops, const shape_sphere *spheres,
+                         const shape_filling *f) {
+    const tree_node *node = shape->item.node, *fill = get(shape, "fill");
+    const tree_node *asks = tree_get(fill, stops->deviation > 0 ? "deviation" : "density");
+    int line = asks ? asks->line : fill ? fill->line : node->line;
+    const char *dense = "";
+    if (stops->density >= 1)
+        dense = scene_print(r->arena, "packing density %g asked for, %.3g reached", stops->density,
+                            f->density);
+    if (!(stops->deviation > 0)) {
+        scene_warn(r->faults, line, tree_path(r->arena, node, "fill"),
+                   "not met with %d spheres: %s", f->count, dense);
+        return;
+    }
+    double least = shape_deviation_least(target);
+    const char *below = "";
+    if (stops->deviation < least)
+        below =
+            scene_print(r->arena, "; less than %.3g mm of this body cannot be told", 1e3 * least);
+    scene_warn(r->faults, line, tree_path(r->arena, node, "fill"),
+               "not met with %d spheres: deviation %g mm asked for, %.4g mm reached%s%s%s",
+               f->count, 1e3 * stops->deviation,
+               1e3 * shape_deviation_max(target, spheres, f->count), below, *dense ? "; " : "",
+               dense);
+}
+
 static int place_spheres(scene_reader *r, const shape_item *shape, const shape_target *target,
                          shape_sphere *to) {
     if (!is_filled(shape)) return given_spheres(r, shape, to);
@@ -99,11 +129,8 @@ static int place_spheres(scene_reader *r, const shape_item *shape, const shape_t
     if (!read_stops(r, shape, &stops)) return 0;
     shape_filling f = target->source == SHAPE_FROM_PROFILE ? shape_fill_row(target, &stops, to)
                                                            : shape_fill(target, &stops, to, NULL);
-    const tree_node *node = shape->item.node, *fill = get(shape, "fill");
-    if (f.count == 0) FAULT(node, "fill", "found no sphere that is large enough");
-    if (f.count > 0 && !f.met)
-        scene_warn(r->faults, fill ? fill->line : node->line, tree_path(r->arena, node, "fill"),
-                   "not met with %d spheres: packing density %.3g reached", f.count, f.density);
+    if (f.count == 0) FAULT(shape->item.node, "fill", "found no sphere that is large enough");
+    if (f.count > 0 && !f.met) warn_of_miss(r, shape, target, &stops, to, &f);
     return f.count;
 }
 

@@ -149,6 +149,27 @@ static void the_same_bits_twice(void **state) {
     scene_free(a), scene_free(b);
 }
 
+/* A scene whose shape is `text`, of which something is warned: at line 5, with these words. */
+static void check_warned(const char *text, const char *want) {
+    scratch_name file = scratch_file("shape.yaml");
+    write_scene(file.text, text);
+    char *said = NULL;
+    scene *s = scene_load(file.text, NULL, &said);
+    if (!s || !said) fail_msg("no scene or no warning: %s", said ? said : "");
+    if (!strstr(said, want) || !strstr(said, "shape.yaml:5: ")) fail_msg("'%s' in: %s", want, said);
+    scene_free(s), free(said), remove(file.text);
+}
+
+static void what_is_missed_has_numbers(void **state) {
+    (void)state;
+    /* one sphere in a cube: the corners are sqrt(3) - 1 half edges off */
+    check_warned("solid: {cube: {edge: 2 cm}}, fill: {spheres: 1, deviation: 1 mm}",
+                 "not met with 1 spheres: deviation 1 mm asked for, 7.321 mm reached");
+    check_warned("solid: {sphere: {radius: 1 cm}}, fill: {deviation: 1 nm}", "cannot be told");
+    check_warned("solid: {cube: {edge: 2 cm}}, fill: {spheres: 1, density: 3}",
+                 "not met with 1 spheres: packing density 3 asked for, ");
+}
+
 static void what_cannot_be_is_refused(void **state) {
     (void)state;
     check_refused("solid: {hyperboloid: {end_radius: 1 mm, waist_radius: 2 mm, length: 1 cm}}",
@@ -173,4 +194,4 @@ TEST_MAIN(cmocka_unit_test(every_solid_has_its_keys),
           cmocka_unit_test(two_overlapping_spheres_by_their_union),
           cmocka_unit_test(a_mesh_beside_the_same_solid), cmocka_unit_test(levels_of_a_profile),
           cmocka_unit_test(a_mass_that_was_weighed), cmocka_unit_test(the_same_bits_twice),
-          cmocka_unit_test(what_cannot_be_is_refused))
+          cmocka_unit_test(what_is_missed_has_numbers), cmocka_unit_test(what_cannot_be_is_refused))
