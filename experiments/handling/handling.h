@@ -161,6 +161,9 @@ typedef struct singled {
 
 singled singled_of(results *r);
 
+/* Share that passed of those that were before SINGLED_AT; NAN where none was. */
+double singled_share(const singled *s);
+
 /* ---- rotating disc (Appendix D(e)) ----------------------------------------------------------- */
 
 typedef struct turned {

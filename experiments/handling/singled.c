@@ -43,6 +43,10 @@ static double crowded(const frame *f) {
     return on ? (double)touching / on : NAN;
 }
 
+double singled_share(const singled *s) {
+    return s->start > 0 ? (double)s->count / s->start : NAN;
+}
+
 singled singled_of(results *r) {
     singled out = {0};
     bool passed[SPHEROIDS] = {false};

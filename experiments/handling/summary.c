@@ -59,7 +59,12 @@ singled_summary singled_over(const handling_study *s, int of_variant) {
         singled one = singled_of(r);
         double alone_of[SPHEROIDS];
         for (int i = 0; i < one.count; i++) alone_of[i] = one.alone[i];
-        add(&passed, (double)one.count / one.start);
+        if (one.start == 0)
+            fprintf(stderr,
+                    "handling: singulation, replicate %d: all spheroids start beyond %g m, "
+                    "none can pass\n",
+                    k + 1, SINGLED_AT);
+        add(&passed, singled_share(&one));
         add(&alone, mean(alone_of, one.count));
         add(&speed, mean(one.speed, one.count));
         add(&ahead, mean(one.ahead, one.count));

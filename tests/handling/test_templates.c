@@ -160,6 +160,13 @@ static void carried_is_more_than_one_look(void **state) {
         assert_int_equal(keeps_speed(0.05 * look, true, &since), look == 5);
 }
 
+/* Where all spheroids start beyond the mark there is no share, rather than 0 / 0. */
+static void a_share_of_none_is_none(void **state) {
+    (void)state;
+    assert_true(isnan(singled_share(&(singled){.start = 0, .count = 0})));
+    CHECK_NEAR(singled_share(&(singled){.start = 4, .count = 3}), 0.75, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unions_have_their_mass),
@@ -168,6 +175,7 @@ int main(void) {
         cmocka_unit_test(the_scene_has_one_of_them),
         cmocka_unit_test(restitution_stands_for_the_damping_ratio),
         cmocka_unit_test(carried_is_more_than_one_look),
+        cmocka_unit_test(a_share_of_none_is_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
