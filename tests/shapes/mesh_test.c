@@ -1,4 +1,5 @@
 /* Triangle meshes: mass, nearest point beside all triangles, winding number, holes. */
+#include "shapes/deviation.h"
 #include "shapes/mesh.h"
 #include "shapes/numbers.h"
 #include "shapes/solid.h"
@@ -71,6 +72,36 @@ static void nearest_point_of_a_triangle(void **state) {
     }
 }
 
+/* Triangles without an area, flat or shrunk to a point: they are where their corners are, and
+ * change neither mass nor inside nor the largest deviation. */
+static void triangles_of_no_area(void **state) {
+    (void)state;
+    const shape_vec flat[3] = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}},
+                    point[3] = {{2, 1, 0}, {2, 1, 0}, {2, 1, 0}};
+    CHECK_NEAR(sv_distance(shape_triangle_nearest(flat, sv(2, 5, 0)), sv(2, 0, 0)), 0, 1e-15);
+    CHECK_NEAR(sv_distance(shape_triangle_nearest(point, sv(9, 9, 9)), sv(2, 1, 0)), 0, 0);
+    shape_mesh block = shape_solid_mesh(&BLOCK, 1);
+    shape_mesh more = shape_mesh_new(block.vertex_count, block.triangle_count + 2);
+    memcpy(more.vertex, block.vertex, block.vertex_count * sizeof *more.vertex);
+    memcpy(more.triangle, block.triangle, 3 * block.triangle_count * sizeof *more.triangle);
+    int32_t *added = more.triangle + 3 * block.triangle_count; /* a side there and back, a corner */
+    added[0] = added[2] = block.triangle[0], added[1] = block.triangle[1];
+    added[3] = added[4] = added[5] = block.triangle[2];
+    const char *fault;
+    shape_target *a = shape_target_of_mesh(&block, &fault),
+                 *b = shape_target_of_mesh(&more, &fault);
+    CHECK_CLOSE(b->mass.volume, a->mass.volume, 1e-15);
+    dice d = {.seed = 5};
+    for (int i = 0; i < 200; i++) {
+        shape_vec p = any_point(&d, 1);
+        CHECK_NEAR(shape_target_distance(b, p, NULL, NULL), shape_target_distance(a, p, NULL, NULL),
+                   1e-15);
+    }
+    const shape_sphere one = {{0.1, 0, 0}, 0.2};
+    CHECK_NEAR(shape_deviation_max(b, &one, 1), shape_deviation_max(a, &one, 1), 0);
+    shape_target_free(a), shape_target_free(b);
+}
+
 static void winding_tells_inside_from_outside(void **state) {
     (void)state;
     shape_mesh mesh = shape_solid_mesh(&TORUS, 2);
@@ -133,7 +164,7 @@ static void samples_are_even(void **state) {
 
 TEST_MAIN(cmocka_unit_test(mass_of_a_block_wherever_it_is),
           cmocka_unit_test(the_tree_finds_the_nearest_triangle),
-          cmocka_unit_test(nearest_point_of_a_triangle),
+          cmocka_unit_test(nearest_point_of_a_triangle), cmocka_unit_test(triangles_of_no_area),
           cmocka_unit_test(winding_tells_inside_from_outside),
           cmocka_unit_test(a_target_turns_a_mesh_that_faces_inwards),
           cmocka_unit_test(samples_are_even))
