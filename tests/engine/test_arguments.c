@@ -59,8 +59,10 @@ static void world_definitions(void **state) {
     }
     for (int i = 0; i < 4; i++) {
         clast_world_def def = clast_world_def_default();
-        if (i < 2) def.plane_axis = i ? 3 : -1;
-        else def.threads = i == 2 ? -1 : 1025;
+        if (i < 2)
+            def.plane_axis = i ? 3 : -1;
+        else
+            def.threads = i == 2 ? -1 : 1025;
         assert_null(clast_world_new(&def));
         assert_non_null(strstr(clast_world_new_error(), i < 2 ? "plane_axis" : "threads"));
     }
@@ -96,8 +98,8 @@ static void materials(void **state) {
     static const double bad[][3] = {{0, 1e9, 0.3},    {-1, 1e9, 0.3},        {NAN, 1e9, 0.3},
                                     {1000, 0, 0.3},   {1000, INFINITY, 0.3}, {1000, 1e9, -1},
                                     {1000, 1e9, 0.5}, {1000, 1e9, NAN}};
-    static const char *const says[] = {"density", "density", "density", "Young", "Young", "Poisson",
-                                       "Poisson", "Poisson"};
+    static const char *const says[] = {"density", "density", "density", "Young",
+                                       "Young",   "Poisson", "Poisson", "Poisson"};
     for (int i = 0; i < 8; i++) {
         expect(
             clast_material_add(w, &(clast_material_def){"clay", bad[i][0], bad[i][1], bad[i][2]}),
@@ -122,12 +124,19 @@ static void pairs(void **state) {
         {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .tangential_ratio = -1},
         {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .tangential_restitution = 1.1},
         {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .rolling_friction = -0.1},
-        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .rolling_friction = NAN}
-    };
-    static const char *const says[] = {"restitution", "restitution",     "restitution", "friction",
-                                       "friction",    "cohesion",        "cohesion",    "stiffness",
-                                       "stiffness",   "tangential_ratio",
-                                       "tangential_restitution", "rolling_friction",
+        {.restitution = 0.5, .friction = 0.3, .stiffness = 1e4, .rolling_friction = NAN}};
+    static const char *const says[] = {"restitution",
+                                       "restitution",
+                                       "restitution",
+                                       "friction",
+                                       "friction",
+                                       "cohesion",
+                                       "cohesion",
+                                       "stiffness",
+                                       "stiffness",
+                                       "tangential_ratio",
+                                       "tangential_restitution",
+                                       "rolling_friction",
                                        "rolling_friction"};
     for (int i = 0; i < 13; i++) {
         assert_int_equal(clast_pair_set(w, m.soft, m.hard, &bad[i]), CLAST_ERR_ARGUMENT);
@@ -145,7 +154,8 @@ static void dissipation_or_restitution(void **state) {
     clast_world *v = new_world(&def);
     int clay = clast_material_add(v, &(clast_material_def){"clay", 700, 1e7, 0.3});
     clast_pair_def bad[3] = {{.restitution = 0.5, .dissipation = -1},
-                             {.restitution = 0.5, .reference_speed = NAN}, {.restitution = 0}};
+                             {.restitution = 0.5, .reference_speed = NAN},
+                             {.restitution = 0}};
     for (int i = 0; i < 3; i++)
         assert_int_equal(clast_pair_set(v, clay, clay, &bad[i]), CLAST_ERR_ARGUMENT);
     bad[2].dissipation = 1e-6; /* instead of a restitution */
@@ -227,8 +237,8 @@ static void parts(void **state) {
 
 static int wall_of(clast_wall_kind kind, clast_vec3 normal, clast_vec3 side, double half,
                    clast_vec3 belt) {
-    return clast_wall_add(w, 0, &(clast_wall_def){"gate", kind, m.hard, {0, 0, 0}, normal, side,
-                                                  {half, 1}, belt});
+    return clast_wall_add(
+        w, 0, &(clast_wall_def){"gate", kind, m.hard, {0, 0, 0}, normal, side, {half, 1}, belt});
 }
 
 static void walls(void **state) {
@@ -351,7 +361,6 @@ static void few_spheres_take_one_thread(void **state) {
 
 TEST_MAIN(cmocka_unit_test(world_definitions), WITH_WORLD(materials), WITH_WORLD(pairs),
           cmocka_unit_test(dissipation_or_restitution), WITH_WORLD(shapes),
-          WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls),
-          WITH_WORLD(bodies), WITH_WORLD(a_world_without_shapes),
-          WITH_WORLD(pairs_that_are_missing_are_named_once), cmocka_unit_test(a_plane_of_motion),
-          cmocka_unit_test(few_spheres_take_one_thread))
+          WITH_WORLD(mass_properties), WITH_WORLD(parts), WITH_WORLD(walls), WITH_WORLD(bodies),
+          WITH_WORLD(a_world_without_shapes), WITH_WORLD(pairs_that_are_missing_are_named_once),
+          cmocka_unit_test(a_plane_of_motion), cmocka_unit_test(few_spheres_take_one_thread))

@@ -43,12 +43,19 @@ static plant new_plant(const plant_wish *wish) {
     add_plane(p.w, box, m.hard, vec(0, 0.03, 0), vec(0, -1, 0));
     if (wish->walled != 0) add_plane(p.w, box, m.hard, vec(0, 0, wish->walled), vec(0, 0, 1));
     const double share[KINDS] = {3, 2, 1};
-    clast_feed_def feed = {.name = "hopper", .region_min = {-0.03, -0.03, 0.05},
-                           .region_max = {0.03, 0.03, 0.08}, .shapes = KINDS, .shape = p.kind,
-                           .share = share, .mass_rate = wish->rate > 0 ? wish->rate : 0.05,
-                           .from = 0.01, .until = wish->until,
-                           .velocity = {0.1, -0.2, -0.3}, .spin = {5, 0, 0},
-                           .turned = wish->clumps, .full = wish->full};
+    clast_feed_def feed = {.name = "hopper",
+                           .region_min = {-0.03, -0.03, 0.05},
+                           .region_max = {0.03, 0.03, 0.08},
+                           .shapes = KINDS,
+                           .shape = p.kind,
+                           .share = share,
+                           .mass_rate = wish->rate > 0 ? wish->rate : 0.05,
+                           .from = 0.01,
+                           .until = wish->until,
+                           .velocity = {0.1, -0.2, -0.3},
+                           .spin = {5, 0, 0},
+                           .turned = wish->clumps,
+                           .full = wish->full};
     p.feed = clast_feed_add(p.w, &feed);
     clast_outlet_def out = {.name = "end", .point = {0, 0, -0.2}, .normal = {0, 0, -2}};
     p.outlet = clast_outlet_add(p.w, &out);
@@ -103,8 +110,13 @@ static void a_feed_of_numbers_begins_and_ends(void **state) {
     clast_pair_def pair = pair_of(0.5, 0);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", R, m.soft);
-    clast_feed_def feed = {.name = "drops", .region_min = {-5, -5, 0}, .region_max = {5, 5, 0},
-                           .shapes = 1, .shape = &ball, .number_rate = 100, .from = 0.125,
+    clast_feed_def feed = {.name = "drops",
+                           .region_min = {-5, -5, 0},
+                           .region_max = {5, 5, 0},
+                           .shapes = 1,
+                           .shape = &ball,
+                           .number_rate = 100,
+                           .from = 0.125,
                            .until = 0.375};
     assert_int_equal(clast_feed_add(w, &feed), 0);
     run_to(w, 0.1248);
@@ -252,8 +264,8 @@ static void a_box_and_the_domain_take_bodies(void **state) {
     clast_pair_def pair = pair_of(0.5, 0);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", R, m.soft);
-    clast_outlet_def box = {.name = "box", .kind = CLAST_OUTLET_BOX, .min = {0.1, -0.1, -0.1},
-                            .max = {0.2, 0.1, 0.1}};
+    clast_outlet_def box = {
+        .name = "box", .kind = CLAST_OUTLET_BOX, .min = {0.1, -0.1, -0.1}, .max = {0.2, 0.1, 0.1}};
     assert_int_equal(clast_outlet_add(w, &box), 0);
     add_body(w, ball, vec(0, 0, 0), vec(1, 0, 0), vec(0, 0, 0));
     add_body(w, ball, vec(0, 0.3, 0), vec(2.5, 0, 0), vec(0, 0, 0));
@@ -299,8 +311,13 @@ static void free_fall_is_booked_to_rounding(void **state) {
     clast_pair_def pair = pair_of(0.3, 0.4);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", R, m.soft);
-    clast_feed_def feed = {.name = "drops", .region_min = {-1, -1, 0}, .region_max = {1, 1, 0.5},
-                           .shapes = 1, .shape = &ball, .number_rate = 50, .spin = {1, 2, 3},
+    clast_feed_def feed = {.name = "drops",
+                           .region_min = {-1, -1, 0},
+                           .region_max = {1, 1, 0.5},
+                           .shapes = 1,
+                           .shape = &ball,
+                           .number_rate = 50,
+                           .spin = {1, 2, 3},
                            .velocity = {0.4, 0, 0.2}};
     clast_outlet_def out = {.name = "end", .point = {0, 0, -0.5}, .normal = {0, 0, -1}};
     assert_true(clast_feed_add(w, &feed) >= 0 && clast_outlet_add(w, &out) >= 0);
@@ -389,7 +406,8 @@ static void a_restart_feeds_on(void **state) {
     plant p = new_plant(&wish);
     clast_passage one[8], other[8];
     run_to(p.w, 0.1);
-    while (clast_world_arrivals(p.w, one, 8) > 0) {}
+    while (clast_world_arrivals(p.w, one, 8) > 0) {
+    }
     run_to(p.w, 0.2);
     scratch_name file = scratch_file("flow.h5");
     assert_int_equal(clast_checkpoint_save(p.w, file.text, NULL), CLAST_OK);
@@ -423,9 +441,13 @@ static clast_world *new_leavers(void) {
         double side = i % 2 ? 1 : -1, z = 0.05 * (i / 2);
         add_body(w, ball, vec(0.98 * R * side, 0, z), vec(0, i < 12 ? 2 : 0, 0), vec(0, 0, 0));
     }
-    clast_feed_def feed = {.name = "late", .region_min = {-0.2, -0.2, -0.2},
-                           .region_max = {0.2, -0.1, -0.1}, .shapes = 1, .shape = &ball,
-                           .number_rate = 2000, .from = 6e-3};
+    clast_feed_def feed = {.name = "late",
+                           .region_min = {-0.2, -0.2, -0.2},
+                           .region_max = {0.2, -0.1, -0.1},
+                           .shapes = 1,
+                           .shape = &ball,
+                           .number_rate = 2000,
+                           .from = 6e-3};
     clast_outlet_def out = {.name = "end", .point = {0, 0.01, 0}, .normal = {0, 1, 0}};
     assert_true(clast_feed_add(w, &feed) >= 0 && clast_outlet_add(w, &out) >= 0);
     return w;
@@ -471,8 +493,10 @@ static void memory_does_not_grow_with_who_left(void **state) {
     size_t early = 0, bodies = 0;
     for (int i = 0; i < 40; i++) {
         run_to(p.w, 0.1 * (i + 1));
-        while (clast_world_arrivals(p.w, all, 64) > 0) {}
-        while (clast_world_departures(p.w, all, 64) > 0) {}
+        while (clast_world_arrivals(p.w, all, 64) > 0) {
+        }
+        while (clast_world_departures(p.w, all, 64) > 0) {
+        }
         clast_counters c = clast_world_counters(p.w);
         if (i == 9) early = c.bytes, bodies = c.fed;
         if (i == 39) {
@@ -541,10 +565,8 @@ TEST_MAIN(cmocka_unit_test(a_feed_keeps_its_rate),
           cmocka_unit_test(books_close_over_coming_and_going),
           cmocka_unit_test(free_fall_is_booked_to_rounding),
           cmocka_unit_test(any_threads_skin_and_lanes), cmocka_unit_test(threads_come_and_go),
-          cmocka_unit_test(a_thread_stays_for_a_fifth),
-          cmocka_unit_test(a_restart_feeds_on),
-          cmocka_unit_test(a_restart_forgets_its_start),
-          cmocka_unit_test(a_restart_knows_its_feed),
+          cmocka_unit_test(a_thread_stays_for_a_fifth), cmocka_unit_test(a_restart_feeds_on),
+          cmocka_unit_test(a_restart_forgets_its_start), cmocka_unit_test(a_restart_knows_its_feed),
           cmocka_unit_test(memory_does_not_grow_with_who_left),
           cmocka_unit_test(bad_definitions_are_refused),
           cmocka_unit_test(other_schemes_take_no_feed))

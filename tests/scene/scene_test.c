@@ -76,10 +76,10 @@ static void note(key_set *set, const scene_key *key) {
  * Walls of triangles are in walls_test.c, motions of parts, feeds and outlets in flow_test.c. */
 static bool is_tested_elsewhere(const scene_key *key) {
     static const char *const KEYS[] = {
-        "solid",    "profile",      "mesh",   "unit",        "fill",  "mass_from", "bar",
-        "tube",     "bend",         "axes",   "weld",        "scale", "at",        "copies",
-        "rotation", "smooth_angle", "stroke", "oscillation", "table", "feeds",     "outlets",
-        "periodic"};
+        "solid", "profile", "mesh",     "unit",         "fill",   "mass_from",
+        "bar",   "tube",    "bend",     "axes",         "weld",   "scale",
+        "at",    "copies",  "rotation", "smooth_angle", "stroke", "oscillation",
+        "table", "feeds",   "outlets",  "periodic"};
     for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; i++)
         if (!strcmp(key->name, KEYS[i])) return true;
     return false;
