@@ -24,7 +24,7 @@ typedef struct block {
 /* What a loop over lanes finds out. */
 typedef struct findings {
     double work_coarse, work_fine, global_coarse, global_fine, way;
-    int outside, bad;
+    int64_t outside, bad; /* as wide as the lanes: narrower ones would take two vectors at a time */
 } findings;
 
 static void load_shape(const clast_world *w, block *b, int i, const shape *s) {
@@ -107,7 +107,7 @@ CLAST_INLINE static inline void move_block(const clast_world *w, block *b, kerne
     vec3 low = to_kernel(w, w->def.domain_min), high = to_kernel(w, w->def.domain_max);
     sum_scale s = w->ledger.scale;
     double wc = 0, wf = 0, gc = 0, gf = 0;
-    int outside = 0, bad = 0;
+    int64_t outside = 0, bad = 0;
 #pragma omp simd reduction(+ : wc, wf, gc, gf) reduction(max : way) reduction(| : outside, bad)
     for (int i = 0; i < count; i++) {
         size_t j = (size_t)i;

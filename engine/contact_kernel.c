@@ -250,8 +250,9 @@ static history_lanes history_at(const contact_list *l, size_t begin) {
 }
 
 /* What only fills up the last vector is apart. */
-LANE_INLINE void hide_behind(batch *b, int i, int count) {
-    b->overlap[i] = i < count ? b->overlap[i] : -1;
+LANE_INLINE void hide_behind(batch *b, int count, int padded) {
+#pragma omp simd
+    for (int i = padded - GROUP; i < padded; i++) b->overlap[i] = i < count ? b->overlap[i] : -1;
 }
 
 LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
@@ -264,11 +265,9 @@ LANE_INLINE void touch_walls(pass *p, size_t begin, int count, int padded) {
         take_touches(&t, t.touch + (begin - s->begin), &p->b, 0, count);
     else if (p->facets)
         settle_walls(&t, &p->b, &p->l, begin, count);
+    hide_behind(&p->b, count, padded);
 #pragma omp simd
-    for (int i = 0; i < padded; i++) {
-        hide_behind(&p->b, i, count);
-        wall_overlap_lane(&p->b, i);
-    }
+    for (int i = 0; i < padded; i++) wall_overlap_lane(&p->b, i);
 }
 
 /* A wall that turns moves where it is touched; the sphere rolls against its spin. */
@@ -292,11 +291,11 @@ static void turn_walls(pass *p, size_t begin, int count) {
 LANE_INLINE void touch_spheres(pass *p, int count, int padded, law_need need) {
     batch *b = &p->b;
 #pragma omp simd
-    for (int i = 0; i < padded; i++) {
-        touch_lane(b, i, need);
-        hide_behind(b, i, count);
+    for (int i = 0; i < padded; i++) touch_lane(b, i, need);
+    hide_behind(b, count, padded);
+#pragma omp simd
+    for (int i = padded - GROUP; i < padded; i++)
         b->depth[i] = (real)(b->overlap[i] > 0 ? b->overlap[i] : 0);
-    }
     if (p->w->special.one_kind) return;
 #pragma omp simd
     for (int i = 0; i < padded; i++) effective_lane(b, i);
