@@ -103,12 +103,12 @@ static void fill_constants(pass *p) {
 #ifdef LANE_ROWS
 LANE_INLINE void load_pairs(pass *p, const int32_t *a, const int32_t *b, int count, int padded,
                             law_need need) {
-    const row_store *r = &p->w->rows;
+    const row_store r = p->w->rows; /* a copy, as for targets below */
     for (int i = 0; i < padded; i += 4) {
         side sa[4], sb[4];
         for (int k = 0; k < 4; k++) {
             int at = lane_or_last(i + k, count);
-            sa[k] = side_of(r, a[at], need), sb[k] = side_of(r, b[at], need);
+            sa[k] = side_of(&r, a[at], need), sb[k] = side_of(&r, b[at], need);
         }
         load_four(&p->b, i, sa, sb, need);
     }
@@ -167,14 +167,14 @@ LANE_INLINE void load_spheres(pass *p, size_t begin, int count, int padded, law_
 
 /* A batch of walls: rows of spheres less those of walls. */
 #ifdef LANE_ROWS
-LANE_INLINE void load_four_walls(pass *p, int i, const int32_t *spheres, const int32_t *walls,
-                                 int count, law_need need) {
-    const row_store *r = &p->w->rows;
+LANE_INLINE void load_four_walls(pass *p, const row_store *r, const wall_row *wall_rows, int i,
+                                 const int32_t *spheres, const int32_t *walls, int count,
+                                 law_need need) {
     rows4 d[4], dt[4], v[4], wa[4], oa[4] = {{0}}, row[5][4];
     for (int k = 0; k < 4; k++) {
         int at = lane_or_last(i + k, count);
         size_t sphere = (size_t)spheres[at];
-        const wall_row *l = &p->w->wall_rows[walls[at]];
+        const wall_row *l = &wall_rows[walls[at]];
         const motion_row *m = &r->motion[need.clumps ? (size_t)r->arm[sphere].body : sphere];
         for (int j = 0; j < 5; j++) row[j][k] = row_at(l->point + 4 * j);
         d[k] = row_at(&r->centre[sphere].x) - row[0][k];
@@ -229,7 +229,10 @@ static void load_wall_kinds(pass *p, const int32_t *spheres, const int32_t *wall
 LANE_INLINE void load_walls(pass *p, size_t begin, int count, int padded, law_need need) {
     const int32_t *spheres = p->list->a + begin, *walls = p->list->b + begin;
 #ifdef LANE_ROWS
-    for (int i = 0; i < padded; i += 4) load_four_walls(p, i, spheres, walls, count, need);
+    const row_store r = p->w->rows;
+    const wall_row *wall_rows = p->w->wall_rows;
+    for (int i = 0; i < padded; i += 4)
+        load_four_walls(p, &r, wall_rows, i, spheres, walls, count, need);
 #else
     for (int i = 0; i < padded; i++) {
         int at = lane_or_last(i, count);
@@ -494,29 +497,51 @@ LANE_INLINE void add_load(load_row *row, const pass *p, int i, bool of_a, law_ne
         add_to(&row->torque[k], of_a || need.equal ? p->ta[k][i] : p->tb[k][i]);
 }
 
-/* Rows of the two bodies of a contact; a share adds to bodies of later ones apart. */
-typedef struct load_pair {
-    load_row *a, *b;
-} load_pair_rows;
+/* Where the loads of a batch go. A copy: what is added to a row might be any number of the pass, as
+ * far as a compiler can see, so it would ask for all of this again after each. */
+typedef struct targets {
+    const int32_t *a, *b;
+    const arm_row *arm;
+    load_row *loads, *overhang; /* a share adds to bodies of later ones apart */
+    size_t body_end;
+    const int32_t *push_index;
+    push_row *push_rows;
+    bool with_walls, pushing;
+} targets;
 
-LANE_INLINE load_pair_rows rows_of(const pass *p, size_t at, law_need need) {
+LANE_INLINE targets targets_of(const pass *p, size_t begin) {
     const row_store *r = &p->w->rows;
-    size_t a = (size_t)p->list->a[at], b = (size_t)p->list->b[at];
-    if (need.clumps) a = (size_t)r->arm[a].body;
-    if (p->with_walls) return (load_pair_rows){&r->loads[a], NULL};
-    if (need.clumps) b = (size_t)r->arm[b].body;
-    size_t end = p->s->body_end;
-    return (load_pair_rows){&r->loads[a], b < end ? &r->loads[b] : &p->s->overhang[b - end]};
+    return (targets){.a = p->list->a + begin,
+                     .b = p->list->b + begin,
+                     .arm = r->arm,
+                     .loads = r->loads,
+                     .overhang = p->s->overhang,
+                     .body_end = p->s->body_end,
+                     .push_index = p->w->push_index,
+                     .push_rows = p->s->push_rows,
+                     .with_walls = p->with_walls,
+                     .pushing = p->pushing};
+}
+
+LANE_INLINE load_row *row_of_a(const targets *t, int i, law_need need) {
+    size_t a = (size_t)t->a[i];
+    return &t->loads[need.clumps ? (size_t)t->arm[a].body : a];
+}
+
+LANE_INLINE load_row *row_of_b(const targets *t, int i, law_need need) {
+    size_t b = (size_t)t->b[i];
+    if (need.clumps) b = (size_t)t->arm[b].body;
+    return b < t->body_end ? &t->loads[b] : &t->overhang[b - t->body_end];
 }
 
 /* Walls of parts that stay push nobody's row. */
-LANE_INLINE push_row *push_row_of(const pass *p, size_t at) {
-    return &p->s->push_rows[p->w->push_index[p->list->b[at]]];
+LANE_INLINE push_row *push_row_of(const targets *t, int i) {
+    return &t->push_rows[t->push_index[t->b[i]]];
 }
 
 #ifdef LANE_ROWS
 /* `count` of the four contacts from lane i on. */
-LANE_INLINE void scatter_four(pass *p, size_t begin, int i, int count, law_need need) {
+LANE_INLINE void scatter_four(pass *p, const targets *t, int i, int count, law_need need) {
     bool turns = need.tangent || need.clumps;
     whole4 f[4], ta[4], tb[4];
     force_rows(f, p->force, i, need);
@@ -524,22 +549,24 @@ LANE_INLINE void scatter_four(pass *p, size_t begin, int i, int count, law_need 
     if (turns && !need.equal) torque_rows(tb, p->tb, i, need);
     for (int k = 0; k < 4; k++) {
         if (k >= count) break;
-        load_pair_rows rows = rows_of(p, begin + (size_t)(i + k), need);
-        add4(rows.a->force, f[k]);
-        if (turns) add4(rows.a->torque, ta[k]);
-        if (!rows.b) {
-            if (p->pushing) add_push(push_row_of(p, begin + (size_t)(i + k)), f[k]);
+        load_row *row = row_of_a(t, i + k, need);
+        add4(row->force, f[k]);
+        if (turns) add4(row->torque, ta[k]);
+        if (t->with_walls) {
+            if (t->pushing) add_push(push_row_of(t, i + k), f[k]);
             continue;
         }
-        add4(rows.b->force, -f[k]);
-        if (turns) add4(rows.b->torque, need.equal ? ta[k] : tb[k]);
+        row = row_of_b(t, i + k, need);
+        add4(row->force, -f[k]);
+        if (turns) add4(row->torque, need.equal ? ta[k] : tb[k]);
     }
 }
 
 LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+    targets t = targets_of(p, begin);
     int i = 0;
-    for (; i + 4 <= count; i += 4) scatter_four(p, begin, i, 4, need);
-    if (i < count) scatter_four(p, begin, i, count - i, need);
+    for (; i + 4 <= count; i += 4) scatter_four(p, &t, i, 4, need);
+    if (i < count) scatter_four(p, &t, i, count - i, need);
 }
 #else
 LANE_INLINE void add_push(push_row *row, const pass *p, int i, law_need need) {
@@ -551,11 +578,11 @@ LANE_INLINE void add_push(push_row *row, const pass *p, int i, law_need need) {
 }
 
 LANE_INLINE void scatter(pass *p, size_t begin, int count, law_need need) {
+    targets t = targets_of(p, begin);
     for (int i = 0; i < count; i++) {
-        load_pair_rows rows = rows_of(p, begin + (size_t)i, need);
-        add_load(rows.a, p, i, true, need);
-        if (p->pushing) add_push(push_row_of(p, begin + (size_t)i), p, i, need);
-        if (rows.b) add_load(rows.b, p, i, false, need);
+        add_load(row_of_a(&t, i, need), p, i, true, need);
+        if (t.pushing) add_push(push_row_of(&t, i), p, i, need);
+        if (!t.with_walls) add_load(row_of_b(&t, i, need), p, i, false, need);
     }
 }
 #endif
