@@ -3,10 +3,9 @@
  * facet of the same surface takes it over.
  *
  * The facets of a smooth patch stand for one curved surface, and a sphere has one contact with it:
- * the deepest. So overlap and force are those of the distance to the surface as it was given: they
- * change steadily wherever the sphere goes, have a potential, and do not know how the surface was
- * cut. The direction turns over a hollow seam by the angle between the two facets, which is what
- * is left of them (engine/README.md has what was rejected).
+ * the deepest. So overlap and force are those of the distance to the surface, with fillets in its
+ * hollow seams (fillet.c): they change steadily wherever the sphere goes, have a potential, and do
+ * not know how the surface was cut (engine/README.md has what was rejected).
  * Places of a patch whose normals differ by more than its angle are surfaces of their own: a sphere
  * between the two sides of a tube, or on a floor and against the wall that a fillet joins to it,
  * feels both. */
@@ -147,6 +146,14 @@ void facets_settle(const clast_world *w, const contact_list *l, size_t from, siz
     }
     touches_settle(touch, to - from);
     if (advance) hand_over(&(run){w, l, from, to - from, touch});
+}
+
+/* The same of one entry alone, which touches nothing but perhaps a fillet. */
+bool facets_fillet(const clast_world *w, const contact_list *l, size_t at, fillet_touch *touch) {
+    const centre_row *c = &w->rows.centre[l->a[at]];
+    const wall *met = &w->walls[l->b[at]];
+    vec3 centre = image_at_wall(w, met, from_kernel(w, centre_at(c)));
+    return fillet_at(met, centre, c->radius, touch);
 }
 
 /* Room for all walls of one sphere, or of one body where batches end with bodies. Needs the list of

@@ -220,13 +220,15 @@ static bool is_clear_of_bodies(const clast_world *w, vec3 p, double bound) {
 /* As they stand now: those of a part that moves are not where they were last listed. */
 static bool is_clear_of_walls(clast_world *w, vec3 p, double bound) {
     share *s = &w->shares[0];
-    size_t count = walls_around(w, s, p, bound);
+    double raise = w->special.fillets ? FILLET_RAISE * bound : 0;
+    size_t count = walls_around(w, s, p, bound + raise);
     for (size_t k = 0; k < count; k++) {
         wall room;
         const wall *l = wall_now(w, s->around[k], &room);
         vec3 at = image_at_wall(w, l, p);
-        if (l->def.kind != CLAST_WALL_PLANE && !is_in_box(l, at, bound)) continue;
-        if (wall_approach(l, at).distance < bound) return false;
+        double clear = bound + wall_raise(l, bound);
+        if (l->def.kind != CLAST_WALL_PLANE && !is_in_box(l, at, clear)) continue;
+        if (wall_approach(l, at).distance < clear) return false;
     }
     return true;
 }

@@ -155,7 +155,26 @@ typedef struct wall_touch {
     double overlap;    /* m; <= 0: apart */
     touch_state state; /* found out when it is asked for (facets.c) */
     bool hidden;
+    bool raised; /* it is on a fillet, not on the plane of its facet */
 } wall_touch;
+
+/* A fillet stands no farther above the planes of its facets than this share of a sphere's radius,
+ * or is narrowed until it does not. */
+#define FILLET_RAISE 0.01
+
+/* m, that a sphere may touch a wall before it touches the plane of it. */
+static inline double wall_raise(const wall *l, double radius) {
+    return l->fillets.count > 0 ? FILLET_RAISE * radius : 0;
+}
+
+/* Of a facet, where the foot of a sphere is on one of its fillets. */
+typedef struct fillet_touch {
+    vec3 normal;
+    double height, overlap; /* m, of the centre over the plane; of the sphere and the fillet */
+} fillet_touch;
+
+/* fillet.c */
+bool fillet_at(const wall *l, vec3 centre, double radius, fillet_touch *touch);
 
 static inline wall_touch touch_of_wall(const wall *l, vec3 centre, double radius) {
     approach a = wall_approach(l, centre);
@@ -164,6 +183,10 @@ static inline wall_touch touch_of_wall(const wall *l, vec3 centre, double radius
     bool behind = l->def.kind != CLAST_WALL_PLANE && v3_dot(a.away, l->n) < 0;
     if (behind) t.normal = v3_scale(-1, l->n);
     if (!a.inside) t.normal = v3_scale(1 / a.distance, a.away);
+    fillet_touch on;
+    if (!(t.overlap > -wall_raise(l, radius)) || !fillet_at(l, centre, radius, &on)) return t;
+    t.to = (approach){v3_scale(on.height, l->n), fabs(on.height), true};
+    t.normal = on.normal, t.overlap = on.overlap, t.raised = true;
     return t;
 }
 

@@ -551,6 +551,37 @@ static void join_patches(clast_world *w, const mesh *m, int first_wall) {
     free(parent);
 }
 
+/* ---- where facets end ------------------------------------------------------------------------ */
+
+/* The facet on the other side of an edge, seen from triangle `own`: its own one where it goes on
+ * there, -1 where none does or more than one. */
+static int facet_beyond(const mesh *m, const edge *from, const edge *to, const edge *own) {
+    int facet = m->patch_of[own->triangle];
+    if (to - from != 2) return -1;
+    const edge *e = own == from ? from + 1 : from;
+    int other = m->patch_of[e->triangle];
+    vec3 n = m->planes[facet].normal;
+    bool fold = beyond(m, own->triangle, own, n) * beyond(m, e->triangle, own, n) >= 0;
+    return other == facet && fold ? -1 : other;
+}
+
+static void round_seams(clast_world *w, const mesh *m, int first_wall) {
+    const edge *end = m->edges + 3 * (size_t)m->def->triangles;
+    border *borders = malloc(3 * (size_t)m->def->triangles * sizeof *borders);
+    CLAST_ASSERT(borders);
+    int count = 0;
+    for (const edge *from = m->edges, *to; from < end; from = to) {
+        for (to = from + 1; to < end && by_vertices(to, from) == 0;) to++;
+        for (const edge *e = from; e < to; e++) {
+            int facet = m->patch_of[e->triangle], other = facet_beyond(m, from, to, e);
+            if (other == facet) continue;
+            borders[count++] = (border){facet, other, e->low, e->high, inwards(m, e)};
+        }
+    }
+    fillets_make(w, first_wall, m->def, borders, count);
+    free(borders);
+}
+
 /* ---- the whole ------------------------------------------------------------------------------- */
 
 static double farthest(const clast_mesh_def *d) {
@@ -594,6 +625,7 @@ int clast_mesh_add(clast_world *w, int part_index, const clast_mesh_def *def) {
         add_patches(w, part_index, &m);
         mesh_extend(w, first_wall, def);
         join_patches(w, &m, first_wall);
+        round_seams(w, &m, first_wall);
     }
     mesh_free(&m);
     return patches;

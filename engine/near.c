@@ -26,7 +26,7 @@ static bool wall_is_near(const clast_world *w, size_t sphere, int wall_index) {
     const centre_row *c = &w->rows.centre[sphere];
     if (!w->parts[l->part].present) return false;
     vec3 centre = image_at_wall(w, l, from_kernel(w, centre_at(c)));
-    return !(wall_approach(l, centre).distance >= c->radius + w->margin);
+    return !(wall_approach(l, centre).distance >= c->radius + w->margin + wall_raise(l, c->radius));
 }
 
 /* ---- made anew -------------------------------------------------------------------------------

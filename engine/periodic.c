@@ -157,7 +157,10 @@ static clast_status check_wall(clast_world *w, wall *l, int axis) {
                                         l->name, AXIS[axis]);
     }
     if (2 * half >= WHOLE * length) {
-        if (l->extent.ruled[axis] && !tumbles) return CLAST_OK;
+        if (l->extent.ruled[axis] && !tumbles) {
+            fillets_unend(l, v3(axis == 0, axis == 1, axis == 2));
+            return CLAST_OK;
+        }
         return refuse_wall(w, l, axis,
                            "is too long to be felt in one place and not the same all "
                            "along");

@@ -224,7 +224,8 @@ static bool is_within_reach(const clast_world *w, int wall_index, size_t sphere)
     const wall *l = wall_now(w, wall_index, &room);
     const centre_row *c = &w->rows.centre[sphere];
     vec3 centre = from_kernel(w, centre_at(c));
-    return wall_approach(l, image_at_wall(w, l, centre)).distance < c->radius + w->skin;
+    return wall_approach(l, image_at_wall(w, l, centre)).distance <
+           c->radius + w->skin + wall_raise(l, c->radius);
 }
 
 /* Contacts with walls that are not even around the body any more. */
@@ -243,7 +244,8 @@ static void keep_touching_walls(clast_world *w, share *s, size_t sphere, size_t 
 static void build_walls(clast_world *w, share *s) {
     s->wall_reach.count = 0;
     for (size_t slot = s->body_begin; slot < s->body_end; slot++) {
-        size_t count = walls_around(w, s, body_position(w, slot), bound_of(w, slot) + w->skin);
+        double bound = bound_of(w, slot), raise = w->special.fillets ? FILLET_RAISE * bound : 0;
+        size_t count = walls_around(w, s, body_position(w, slot), bound + w->skin + raise);
         for (size_t i = first_sphere(w, slot); i < first_sphere(w, slot + 1); i++) {
             size_t begin = s->wall_reach.count;
             for (size_t k = 0; k < count; k++)

@@ -132,7 +132,10 @@ void special_choose(clast_world *w) {
     k.one_wall = k.one_kind;
     for (int l = 1; l < w->wall_count; l++)
         k.one_wall &= w->walls[l].def.material == w->walls[0].def.material;
-    for (int l = 0; l < w->wall_count; l++) k.facets |= w->walls[l].family >= 0;
+    for (int l = 0; l < w->wall_count; l++) {
+        k.facets |= w->walls[l].family >= 0;
+        k.fillets |= w->walls[l].fillets.count > 0;
+    }
     k.flat = w->prepared && w->ranks ? w->special.flat : is_flat(w); /* of all bodies */
     k.shared = k.clumps && w->def.clump_contact == CLAST_CLUMP_SHARED;
     for (int l = 0; l < w->wall_count; l++) {

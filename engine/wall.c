@@ -230,9 +230,10 @@ static void fill_row(const clast_world *w, wall_row *r, const wall *l) {
     r->half_u = plane ? WALL_ENDLESS : l->def.half_side[0];
     r->half_v = plane ? WALL_ENDLESS : l->def.half_side[1];
     bool never_clear = l->smooth >= 0 || is_plate_of(l);
-    r->rim = never_clear      ? WALL_ENDLESS
-             : l->family >= 0 ? fmax(l->rim, wall_rim(l))
-                              : -WALL_ENDLESS;
+    r->rim = l->fillets.count > 0 ? 2 * WALL_ENDLESS
+             : never_clear        ? WALL_ENDLESS
+             : l->family >= 0     ? fmax(l->rim, wall_rim(l))
+                                  : -WALL_ENDLESS;
     place_row(w, r, l);
 }
 

@@ -102,7 +102,10 @@ static void free_scene(clast_world *w) {
         free(s->name), free(s->centre), free(s->radius), free(s->outline);
     }
     parts_free(w);
-    for (int i = 0; i < w->wall_count; i++) free(w->walls[i].name), free(w->walls[i].patch.corner);
+    for (int i = 0; i < w->wall_count; i++) {
+        wall *l = &w->walls[i];
+        free(l->name), free(l->patch.corner), free(l->fillets.item);
+    }
     free(w->materials), free(w->shapes), free(w->walls), free(w->coefs);
     free(w->wall_rows), free(w->push_index);
 }

@@ -90,6 +90,13 @@ void special_choose(clast_world *w);
 void special_choose_kernels(clast_world *w);
 void special_choose_scale(clast_world *w);
 
+/* A side of a triangle at which its facet ends. */
+typedef struct border {
+    int32_t facet, other; /* -1: no facet goes on there, or more than one does */
+    int32_t low, high;    /* vertices */
+    vec3 inward;          /* unit, into the facet, in its plane */
+} border;
+
 /* wall.c, mesh.c */
 void mesh_extend(clast_world *w, int first_wall, const clast_mesh_def *def);
 wall *wall_new(clast_world *w, int part, const clast_wall_def *def);
@@ -103,6 +110,11 @@ const wall *wall_now(const clast_world *w, int wall_index, wall *room);
 void walls_list_near(clast_world *w);
 bool wall_pushes(const clast_world *w, const wall *l);
 bool wall_drives(const clast_world *w, const wall *l);
+
+/* fillet.c, fillet_make.c: hollow seams of smooth patches */
+void fillets_make(clast_world *w, int first_wall, const clast_mesh_def *d, border *borders,
+                  int count);
+void fillets_unend(wall *l, vec3 along);
 
 /* wall_tree.c: which walls are where */
 void walls_plant(clast_world *w);

@@ -225,6 +225,27 @@ typedef struct patch {
     double *corner; /* m, from the wall's point: 3 x (u, v) per triangle */
 } patch;
 
+/* How a hollow seam of a smooth patch is rounded, as one of its two facets has it (fillet.c): in
+ * the plane of its wall, on one of its sides. */
+typedef struct fillet {
+    double from[2]; /* m, where the seam begins */
+    double way[2];  /* unit, where it goes */
+    double inward;  /* 1: the facet is to the left of it; -1 */
+    double side;    /* 1: hollow where the normal of the facet points to; -1 */
+    double tangent; /* of half the angle between the two facets */
+    double cap;     /* radii of a sphere, that it is wide at most */
+    double length;  /* m */
+    double width;   /* m, from the seam into the facet, but for its ends */
+    double rise[2]; /* m, over which it comes to that from either end */
+    double endless; /* m, its width where its facets have no ends */
+} fillet;
+
+typedef struct fillet_list {
+    int count;
+    fillet *item;
+    double width, cap; /* the largest of them */
+} fillet_list;
+
 /* Of a plate, or of the whole mesh of a patch; for periodic axes. */
 typedef struct wall_extent {
     vec3 half;     /* m, of the box about the anchor, in the frame of the part */
@@ -253,6 +274,7 @@ typedef struct wall {
     int family; /* those of a mesh, or plates in one plane: one may hide another; -1: none does */
     int smooth; /* facets of one smooth patch: the first of its walls; -1: for itself */
     double smooth_cosine; /* of the angle within which they are felt as one */
+    fillet_list fillets;
 } wall;
 
 /* m, half a side of what has no end; its square is a number. */
@@ -265,7 +287,8 @@ typedef struct wall_row {
     double motion[3], none; /* m/s, of the surface, now; without what comes by turning */
     double n[3], half_u;    /* m */
     double u[3], half_v;    /* m; endless: a plane, which has one side */
-    double v[3], rim;       /* m: nearer to the border another wall may hold the point */
+    double v[3], rim;       /* m: nearer to the border another wall may hold the point; more than
+                               endless: a facet with fillets */
 } wall_row;
 
 /* ---- lists ----------------------------------------------------------------------------------- */
@@ -436,6 +459,7 @@ typedef struct speciality {
     bool pushing;  /* some part moves or has a belt */
     bool driving;  /* some part turns or has a belt */
     bool facets;   /* walls that may hide each other */
+    bool fillets;  /* facets with fillets */
 } speciality;
 
 /* A grid of cells over the bodies, remade at every rebuild; cubic but along periodic axes. */

@@ -45,10 +45,30 @@ static cylinder_errors errors_of_cylinder(int n, bool inside, double smooth_angl
     return e;
 }
 
-/* The force has the error of the distance to the facets: second order. Its direction turns with
- * the facets: first order, as it swings about that of the cylinder. From outside it turns steadily
- * about the edge of a seam, as much faster than the sphere goes round as the edge is nearer to its
- * centre than the axis; from inside it jumps by the angle of the seam. */
+/* From outside: the force has the error of the distance to the facets: second order. Its direction
+ * turns with the facets: first order, as it swings about that of the cylinder; over a seam it turns
+ * steadily about the edge, as much faster than the sphere goes round as the edge is nearer to its
+ * centre than the axis. */
+static void check_from_outside(const cylinder_errors e[4]) {
+    double step = 2 * NUMBER_PI / ANGLES, away = 0.1 + 0.96 * 0.02, faster = away / (away - 0.1);
+    for (int i = 0; i < 4; i++) CHECK_BELOW(e[i].turn, 1.001 * faster * step);
+    for (int i = 1; i < 3; i++) {
+        CHECK_NEAR(order_of(e[i].force, e[i + 1].force, 2), 2, 0.1);
+        CHECK_NEAR(order_of(e[i].direction, e[i + 1].direction, 2), 1, 0.1);
+    }
+}
+
+/* From inside the fillets of equal facets are the cylinder that the facets touch: the force is that
+ * of its radius, second order, and the direction has no error. */
+static void check_from_inside(const cylinder_errors e[4]) {
+    for (int i = 0; i < 4; i++) {
+        double less = 0.1 * (1 - cos(NUMBER_PI / (64 << i))), overlap = 0.04 * 0.02;
+        CHECK_CLOSE(e[i].force, pow(1 + less / overlap, 1.5) - 1, 1e-9);
+        CHECK_BELOW(e[i].direction, 1e-11);
+        CHECK_BELOW(e[i].turn, (1 + 1e-9) * 2 * NUMBER_PI / ANGLES);
+    }
+}
+
 static void a_cylinder_is_felt_once(void **state) {
     (void)state;
     for (int inside = 0; inside < 2; inside++) {
@@ -56,18 +76,15 @@ static void a_cylinder_is_felt_once(void **state) {
         for (int i = 0; i < 4; i++) {
             e[i] = errors_of_cylinder(64 << i, inside, 0);
             assert_true(e[i].twice == 0);
-            double step = 2 * NUMBER_PI / ANGLES, seam = 2 * NUMBER_PI / (64 << i);
-            double away = 0.1 + 0.96 * 0.02, faster = away / (away - 0.1);
-            CHECK_BELOW(e[i].turn, 1.001 * (inside ? seam : faster * step));
         }
         print_message("%s of a cylinder of 64, 128, 256, 512 facets: force off by %.1e %.1e %.1e "
                       "%.1e, direction by %.1e %.1e %.1e %.1e\n",
                       inside ? "inside" : "outside", e[0].force, e[1].force, e[2].force, e[3].force,
                       e[0].direction, e[1].direction, e[2].direction, e[3].direction);
-        for (int i = 1; i < 3; i++) {
-            CHECK_NEAR(order_of(e[i].force, e[i + 1].force, 2), 2, 0.1);
-            CHECK_NEAR(order_of(e[i].direction, e[i + 1].direction, 2), 1, 0.1);
-        }
+        if (inside)
+            check_from_inside(e);
+        else
+            check_from_outside(e);
     }
 }
 
@@ -98,14 +115,14 @@ static void the_angle_decides(void **state) {
 
 /* ---- surfaces of their own ------------------------------------------------------------------- */
 
-/* A floor that a fillet joins to a wall: `n` facets over the right angle, `fillet` (m) its radius.
+/* A floor that a bend joins to a wall: `n` facets over the right angle, `bend` (m) its radius.
  */
-static surface *channel_surface(double fillet, int n) {
+static surface *channel_surface(double bend, int n) {
     surface *s = empty_surface();
     for (int i = -1; i <= n + 1; i++) {
         double sine, cosine, turn = i < 0 ? 0 : i > n ? 1 : (double)i / n;
         clast_sincos(turn * NUMBER_PI / 2, &sine, &cosine);
-        clast_vec3 p = vec(-fillet + fillet * sine, 0, fillet - fillet * cosine);
+        clast_vec3 p = vec(-bend + bend * sine, 0, bend - bend * cosine);
         if (i < 0) p.x = -0.2;
         if (i > n) p.z = 0.2;
         for (int side = -1; side <= 1; side += 2) add_vertex(s, plus(p, vec(0, 0.1 * side, 0)));
@@ -196,6 +213,7 @@ typedef struct roll_case {
     double speed;     /* m/s, along the wall, with the spin of rolling */
     double friction, restitution;
     double step; /* s */
+    bool within; /* the drum is in the cylinder that its corners are on, not around it */
 } roll_case;
 
 enum { WAYS = 200 };
@@ -204,9 +222,11 @@ typedef struct roll_result {
     body_state end;
     double motion, stored; /* J at the end: of motion; all that is not lost */
     double gained;         /* J, most that there was above the start */
-    double jump, force;    /* N, largest change of the force over a seam; largest force */
-    double spring_jump;    /* N, largest change of the spring's length over a seam */
-    double spring;         /* N, longest spring */
+    double jump[2];        /* N, largest change of the force in a step: between seams, over one */
+    double spring_jump[2]; /* N, the same of the spring's length */
+    double turn[2];        /* rad, the same of the normal */
+    clast_vec3 normal;     /* of the last step */
+    double force, spring;  /* N, the largest */
     double damping, slid;  /* J */
     size_t most, least;    /* contacts */
     int seams;             /* how often it came to another facet */
@@ -216,16 +236,19 @@ typedef struct roll_result {
 
 static const double DRUM = 0.1, BALL = 0.02; /* m */
 
-/* A drum on its side, open at its ends, with a facet at the bottom that is not level. Every facet
- * is cut across in two triangles, or in `cuts` pairs of them, uneven with dice. */
-static surface *drum_surface(int facets, int cuts, dice *d) {
+/* A drum on its side around a cylinder, open at its ends, with a facet at the bottom that is not
+ * level. Every facet is cut across in two triangles, or in `cuts` pairs of them, uneven with dice.
+ */
+static surface *drum_surface(const roll_case *c, dice *d) {
     surface *s = empty_surface();
+    int facets = c->facets, cuts = c->cuts;
+    double far = c->within ? DRUM : DRUM / cos(NUMBER_PI / facets);
     for (int i = 0; i < facets; i++)
         for (int j = 0; j <= cuts; j++) {
             double sine, cosine, y = -0.05 + 0.1 * j / cuts;
             clast_sincos(2 * NUMBER_PI * (i + 0.37) / facets, &sine, &cosine);
             if (d && j > 0 && j < cuts) y += roll(d, -.03, .03) / cuts;
-            add_vertex(s, vec(DRUM * cosine, y, DRUM * sine));
+            add_vertex(s, vec(far * cosine, y, far * sine));
         }
     for (int i = 0; i < facets; i++)
         for (int j = 0; j < cuts; j++) {
@@ -253,8 +276,8 @@ static clast_world *drum_world(const roll_case *c, dice *d) {
     clast_pair_def pair = pair_of(c->restitution, c->friction);
     two_materials m = add_materials(w, &pair);
     int ball = clast_shape_add_sphere(w, "ball", BALL, m.soft);
-    mesh_with(w, clast_part_add(w, &(clast_part_def){.name = "drum"}), m.hard,
-              drum_surface(c->facets, c->cuts, d), 0);
+    mesh_with(w, clast_part_add(w, &(clast_part_def){.name = "drum"}), m.hard, drum_surface(c, d),
+              0);
     add_body(w, ball, vec(0, 0.0012, -(DRUM - BALL + pressed(c->speed))), vec(c->speed, 0, 0),
              vec(0, -c->speed / BALL, 0));
     if (clast_world_prepare(w)) fail_msg("%s", clast_world_error(w));
@@ -274,11 +297,14 @@ static void follow(clast_world *w, roll_result *r, clast_contact *before, double
     if (contacts != 1) return;
     records_collect(w);
     double length = v3_norm(w->records.items[0].history.spring);
-    if (now[0].b != before->b) {
-        r->seams++;
-        r->jump = fmax(r->jump, norm(minus(now[0].force, before->force)));
-        r->spring_jump = fmax(r->spring_jump, fabs(length - *spring));
-    }
+    bool seam = now[0].b != before->b;
+    r->seams += seam;
+    r->jump[seam] = fmax(r->jump[seam], norm(minus(now[0].force, before->force)));
+    r->spring_jump[seam] = fmax(r->spring_jump[seam], fabs(length - *spring));
+    clast_vec3 way = minus(body_of(w, 0).position, now[0].point);
+    double turn = norm(minus(times(1 / norm(way), way), r->normal));
+    if (norm(r->normal) > 0) r->turn[seam] = fmax(r->turn[seam], turn);
+    r->normal = times(1 / norm(way), way);
     r->force = fmax(r->force, norm(now[0].force));
     r->spring = fmax(r->spring, length);
     *before = now[0], *spring = length;
@@ -315,36 +341,32 @@ static double way_between(const roll_result *a, const roll_result *b) {
     return sqrt(sum / WAYS);
 }
 
-/* A ball rolls up and down in a drum and always has one contact; nothing is gained. Over a seam the
- * force changes with the direction of the facet, and its dashpots with the speed at which the ball
- * comes to it: both go with the angle of the seam. What a drum takes more than the cylinder goes
- * with the square. The drums are fine enough that no facet rises to half of the overlap, or the
- * ball would jump from seam to seam. */
+/* A ball rolls up and down in a drum and always has one contact; nothing is gained. Its facets are
+ * felt as the cylinder that they touch, however many they are: force, spring and normal change over
+ * a seam as they do elsewhere, and the ball goes the same way and loses the same in any drum. */
 static void rolling_over_hollow_seams(void **state) {
     (void)state;
     enum { DRUMS = 5, STEPS = 30000 };
+    static const int FACETS[DRUMS] = {64, 512, 1024, 4096, 8192};
     roll_result r[DRUMS];
     for (int i = 0; i < DRUMS; i++) {
-        roll_case c = {512 << i, 1, 0.5, 0.5, 0.6, 1e-5};
+        roll_case c = {FACETS[i], 1, 0.5, 0.5, 0.6, 1e-5, false};
         r[i] = run_in_drum(&c, STEPS, NULL);
-        double seam = 2 * NUMBER_PI / c.facets, jump = r[i].jump / r[i].force;
-        print_message("%d facets: %d seams, force jumps by %.4f of itself (seam %.4f rad), spring "
-                      "by %.4f, gains %.1e J of %.1e, loses %.3e J\n",
-                      c.facets, r[i].seams, jump, seam, r[i].spring_jump / r[i].spring, r[i].gained,
-                      r[i].motion, r[i].damping);
-        assert_true(r[i].most == 1 && r[i].least == 1 && r[i].seams > 40 << i);
+        print_message("%d facets: %d seams of %.4f rad; in a step the force changes by %.2e of "
+                      "itself over one, by %.2e elsewhere, the spring by %.2e, %.2e, the normal by "
+                      "%.3e, %.3e; gains %.1e J of %.1e, loses %.6e J, way off by %.1e m\n",
+                      c.facets, r[i].seams, 2 * NUMBER_PI / c.facets, r[i].jump[1] / r[i].force,
+                      r[i].jump[0] / r[i].force, r[i].spring_jump[1] / r[i].spring,
+                      r[i].spring_jump[0] / r[i].spring, r[i].turn[1], r[i].turn[0], r[i].gained,
+                      r[i].motion, r[i].damping, way_between(&r[0], &r[i]));
+        assert_true(r[i].most == 1 && r[i].least == 1 && r[i].seams > FACETS[i] / 13);
         CHECK_BELOW(r[i].gained, 0);
-        CHECK_BELOW(jump, 9 * seam);
-        CHECK_BELOW(r[i].spring_jump / r[i].spring, 9 * seam);
+        CHECK_BELOW(r[i].jump[1], 1.001 * r[0].jump[0]);
+        CHECK_BELOW(r[i].spring_jump[1], 0.006 * r[i].spring);
+        CHECK_BELOW(r[i].turn[1], 1.001 * c.speed * c.step / (DRUM - BALL));
+        CHECK_CLOSE(r[i].damping, r[0].damping, 1e-4);
+        CHECK_BELOW(way_between(&r[0], &r[i]), 1e-8 * DRUM);
     }
-    double loss[3];
-    for (int i = 0; i < 3; i++)
-        loss[i] = order_of(r[i].damping - r[i + 1].damping, r[i + 1].damping - r[i + 2].damping, 2);
-    double off = way_between(&r[0], &r[4]);
-    print_message("orders of the loss: %.2f %.2f %.2f; way of the coarsest off by %.1e m\n",
-                  loss[0], loss[1], loss[2], off);
-    CHECK_NEAR(loss[2], 2, 0.1);
-    CHECK_BELOW(off, 2e-3 * DRUM);
 }
 
 /* Without loss: what a ball has, it keeps over seams of any angle, though it flies from some of
@@ -355,7 +377,7 @@ static void nothing_is_gained_over_seams(void **state) {
     for (int facets = 16; facets <= 1024; facets *= 8) {
         double gained[2], kept[2];
         for (int fine = 0; fine < 2; fine++) {
-            roll_case c = {facets, 1, 1.5, 0, 1, fine ? 2.5e-6 : 1e-5};
+            roll_case c = {facets, 1, 1.5, 0, 1, fine ? 2.5e-6 : 1e-5, true};
             roll_result r = run_in_drum(&c, fine ? 80000 : 20000, NULL);
             gained[fine] = r.gained / r.input, kept[fine] = fabs(r.stored - r.start) / r.input;
             assert_true(r.seams > 2);
@@ -363,7 +385,7 @@ static void nothing_is_gained_over_seams(void **state) {
         print_message("%d facets, no loss: gained at most %.1e, with a quarter of the step %.1e; "
                       "off at the end by %.1e, %.1e\n",
                       facets, gained[0], gained[1], kept[0], kept[1]);
-        CHECK_BELOW(fmax(gained[0], kept[0]), 1e-3);
+        CHECK_BELOW(fmax(gained[0], kept[0]), facets < 64 ? 1e-3 : 1e-6);
         CHECK_BELOW(gained[1], 0.5 * gained[0]);
         CHECK_BELOW(kept[1], 0.5 * fmax(kept[0], gained[0]));
     }
@@ -377,7 +399,7 @@ static void a_drum_cut_otherwise_gives_one_trace(void **state) {
     dice d = {23, 0};
     roll_result want = {0};
     for (int i = 0; i < 3; i++) {
-        roll_case c = {96, i == 0 ? 1 : i == 1 ? 6 : 20, 0.7, 0.4, 0.6, 1e-5};
+        roll_case c = {96, i == 0 ? 1 : i == 1 ? 6 : 20, 0.7, 0.4, 0.6, 1e-5, true};
         roll_result r = run_in_drum(&c, 20000, i ? &d : NULL);
         if (i == 0) want = r;
         assert_true(r.seams > 5);
