@@ -368,7 +368,7 @@ typedef struct clast_mesh_def {
  * wall (a patch) named NAME/0, NAME/1, ...: a sphere feels one contact per patch, whatever the
  * triangles, and an edge or corner only where no face is felt. Where patches go on smoothly in each
  * other it feels one contact with all of them, the deepest, whose history goes along from patch to
- * patch; where such a seam is hollow and turns by less than 16 degrees, it is felt rounded, by up to
+ * patch; where such a seam is hollow and turns by less than 16 degrees, it is felt rounded, up to
  * 1 % of the radius of the sphere above the triangles (engine/README.md). Places whose normals
  * differ by more than smooth_angle are felt side by side. Returns the
  * number of patches; their walls have the indices before clast_world_wall_count(). A triangle

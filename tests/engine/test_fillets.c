@@ -1,5 +1,5 @@
-/* Fillets in the hollow seams of smooth patches: the distance from a smooth surface, near the one of
- * the file, the same from both facets, in any frame and however the facets are cut. */
+/* Fillets in the hollow seams of smooth patches: the distance from a smooth surface, near the one
+ * of the file, the same from both facets, in any frame and however the facets are cut. */
 #include "tests/support/surface.h"
 
 #include "engine/geometry.h"
