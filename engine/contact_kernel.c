@@ -3,6 +3,7 @@
  * forces into loads. Compiled once per instruction set and precision (CLAST_KERNEL names the copy);
  * the bits are the same for all instruction sets. */
 #include "engine/column_lanes.h"
+#include "engine/constant_lanes.h"
 #include "engine/part.h"
 #include "engine/pair_lanes.h"
 #include "engine/periodic_lanes.h"
@@ -43,38 +44,9 @@ typedef struct pass {
 
 /* ---- columns that are the same for all contacts ---------------------------------------------- */
 
-static void fill_coefficients(batch *b, int i, const pair_coef *c) {
-    b->k_normal[i] = (real)c->k_normal, b->k_tangent[i] = (real)c->k_tangent;
-    b->c_normal[i] = (real)c->c_normal, b->c_tangent[i] = (real)c->c_tangent;
-    b->friction[i] = (real)c->friction, b->cohesion[i] = (real)c->cohesion;
-}
-
-/* From the stiffness of a pair to that of each contact. */
-static void scale_stiffness(batch *b, clast_law law, int count) {
-    if (law == CLAST_LAW_HOOKE) {
-#pragma omp simd
-        for (int i = 0; i < count; i++) hooke_lane(b, i);
-    }
-    if (law == CLAST_LAW_MAW) {
-#pragma omp simd
-        for (int i = 0; i < count; i++) maw_lane(b, i);
-    }
-}
-
 /* Of spheres, or of spheres and walls, that are all alike. */
 static bool is_uniform(const pass *p) {
     return p->with_walls ? p->w->special.one_wall : p->w->special.one_kind;
-}
-
-/* What a flat scene does not fill. */
-static void clear_third(batch *b, int lanes) {
-    for (int i = 0; i < lanes; i++) b->n[2][i] = 0, b->v[2][i] = b->f[2][i] = 0;
-}
-
-/* Spin and arm of a wall. */
-static void clear_other(batch *b, int lanes) {
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < lanes; i++) b->wb[k][i] = b->ob[k][i] = 0;
 }
 
 /* As many lanes as the list can fill. */
